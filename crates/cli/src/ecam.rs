@@ -53,7 +53,7 @@ pub struct EcamArgs {
     /// Name of the cam in the controller's program, for a second cam in one project (default: gaitcam)
     #[arg(long, value_name = "NAME")]
     name: Option<String>,
-    /// The law of so many consecutive recorded strides for a servo axis, instead of one mean stride
+    /// Write the law of this number of consecutive recorded strides, for a servo axis, instead of one mean stride
     #[arg(long, value_name = "N")]
     strides: Option<usize>,
     /// Print JSON

@@ -57,7 +57,7 @@ enum Command {
     Cover(gait::cover::CoverArgs),
     /// Simulate the finished cam: force, torque, lift-off, vibration, with the simplest sufficient model
     Simulate(simulate::SimulateArgs),
-    /// Compute the speed programme with which a cam has the step times of a recorded walk
+    /// Compute the speed programme that gives a cam the step times of a recorded walk
     Walk(walk::WalkArgs),
     /// Fit measured points of a manufactured cam to its design: deviations and force of this cam
     Inspect(inspect::InspectArgs),
@@ -69,7 +69,7 @@ enum Command {
     Ecam(ecam::EcamArgs),
     /// Write the profile as points for "curve through points" of a CAD program
     Points(points::PointsArgs),
-    /// Design thousands of scenes (a grid, a list or a sample of values) into one table
+    /// Design thousands of scenes (a grid, a list or a sample of values) and write one table
     Sweep(sweep::SweepArgs),
     /// Compute the Pareto front of a sweep: table, pictures and the best design
     Front(front::FrontArgs),
@@ -79,7 +79,7 @@ enum Command {
     Studio(studio::StudioArgs),
     /// Write a commented scene for a machine
     Init(init::InitArgs),
-    /// Explain the faults of a scene or a recording, and their corrections
+    /// Explain the faults of a scene or a recording, and how to correct them
     Doctor(doctor::DoctorArgs),
     /// List the keys of a scene file: values, default and meaning
     Keys(keys::KeysArgs),

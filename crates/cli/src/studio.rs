@@ -26,7 +26,7 @@ pub struct StudioArgs {
     /// Port of the page (default: a free one)
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
     port: u16,
-    /// Print the address only; open no browser
+    /// Only print the address; do not open a browser
     #[arg(long)]
     no_open: bool,
 }

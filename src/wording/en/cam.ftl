@@ -43,10 +43,10 @@ cam-slides-by-angle = conjugate translating followers are not defined by an angl
 cam-no-conjugate-of = a conjugate cam for this follower ({ $follower }) does not exist
     .help = the groove already guides this follower on both sides
 cam-second-cam = the conjugate cam does not exist: { $because }
-cam-no-conjugate = no conjugate cam exists for a total of { $total }: the first follower alone reaches { $reach }
+cam-no-conjugate = no conjugate cam exists for a distance or angle of { $total } between both followers: the first follower alone reaches { $reach }
     .help = { $least ->
-        [none] the total must be much larger than { $reach }
-       *[other] with a total of at least { $least } (second base radius { $base }) the conjugate cam has no undercut
+        [none] this value must be much larger than { $reach }
+       *[other] with at least { $least } (second base radius { $base }) the conjugate cam has no undercut
     }
 cam-translating-height = the base height of a translating cam affects neither curvature nor pressure angle
     .help = increase its length of travel or use a smaller roller

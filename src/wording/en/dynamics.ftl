@@ -45,7 +45,7 @@ dynamics-stalls = the shaft stops: its inertia of { $inertia } is too small to c
     .help = set machine.inertia = "{ $needed }" or more, or a steeper torque line
 dynamics-stalls-anyway = the shaft stops with any inertia: the torque line of the motor is too low for the load
     .help = give a steeper torque line (machine.motor.slope, machine.motor.stall_torque)
-dynamics-no-load-speed = the no-load speed of the motor, { $nominal }, is too low for a mean speed of { $speed } of the camshaft
+dynamics-no-load-speed = the no-load speed of the motor, { $nominal }, is too low for a mean camshaft speed of { $speed }
     .help = set machine.motor.no_load_speed = "{ $needed }" or more, or a lower machine.motor.gear
 dynamics-few-programme-rows = the speed programme has { $rows } rows
     .help = give at least three: time_s,speed_rad_per_s
@@ -53,11 +53,11 @@ dynamics-programme-row = row { $row } of the speed programme is out of order
     .help = the times must increase, and the speeds must be positive
 dynamics-programme-turns = a speed programme needs a cam that turns and whose law closes in one turn
     .help = use a cam of one turn per cycle
-dynamics-programme-acceleration = no speed programme of this walk stays within { $most }
+dynamics-programme-acceleration = every speed programme for this walk exceeds the acceleration limit of { $most }
     .help = allow a larger acceleration (--max-acceleration)
-dynamics-programme-contact = the contact force falls to { $least } under any speed programme of this walk, below { $limit }
+dynamics-programme-contact = with any speed programme for this walk the contact force falls to { $least }; the limit is { $limit }
     .help = design the cam with a larger limits.force_min
-dynamics-programme-motor = the motor cannot follow: it would need { $torque } at { $speed } of the camshaft, at { $at }
+dynamics-programme-motor = the motor cannot follow the programme: at { $at } it would need { $torque } at a camshaft speed of { $speed }
     .help = use a larger machine.inertia, a steeper torque line (machine.motor.slope, machine.motor.stall_torque) or a larger machine.motor.no_load_speed
 dynamics-programme-stops = the shaft stops at { $at } of the speed programme: the motor is too weak
     .help = use a larger machine.inertia or a steeper torque line (machine.motor.slope, machine.motor.stall_torque)
@@ -93,14 +93,14 @@ model-no-mass = the fluid column deflects without vibration
 model-harmonics = the first natural frequency is { $frequency }, { $ratio } times the shaft frequency; vibration would change the force by { $part } of the mean (RMS)
 
 # What to know of a run.
-run-second-cam-bears = the second cam carries the load for { $part } of the cycle, with up to { $force }; at each change of side the follower moves through the clearance
-run-other-wall-bears = the other wall of the groove carries the load for { $part } of the cycle, with up to { $force }; at each change of side the follower moves through the clearance
+run-second-cam-bears = the second cam carries the load, at most { $force }, for { $part } of the cycle; at each change between the cams the follower moves through the clearance
+run-other-wall-bears = the opposite wall of the groove carries the load, at most { $force }, for { $part } of the cycle; at each change between the walls the follower moves through the clearance
 run-rigid-pulls = the rigid model permits a negative contact force; use the contact model to compute the lift-off
 run-rigid-without-impacts = the rigid model does not include the impacts where the load changes from one cam to the other
 run-flexible-pulls = the vibrating follower loses contact; the flexible model permits a negative contact force there
 run-escapes = the mass loses contact with the cam and does not return
 run-not-periodic = the motion does not repeat within { $turns } turns and { $impacts } impacts
-run-swings = the follower oscillates: lift and gap are angles in rad, the force is the moment about the pivot in N·m, and mass, spring and preload refer to the pivot; in the files the force at the lever is in N; the normal force is in N
+run-swings = the follower oscillates: lift and gap are angles in rad; the force is the moment about the pivot in N·m; mass, spring and preload refer to the pivot; the force at the lever (in the files) and the normal force are in N
 run-pair-distance = the distance of the conjugate pair is constant within { $deviation }; the second cam carries negative forces
 run-steady-shaft = with this motor the speed would vary by about { $ripple } and change the force by { $change } of the mean; this is within { $allowed }, so the speed is taken as constant
 run-shaft-varies = the motor drives the shaft with a speed ripple of { $found } (forecast: { $ripple }, with a force change of { $change } of the mean); the force is computed for the varying speed

@@ -16,7 +16,7 @@ key-limits-jerk = Maximum jerk |d³s/dt³|.
 name-jerk = jerk
 label-limits-jerk = Jerk
 
-key-limits-force_min = Minimum contact force. Default: 0 where only force keeps the contact; none: not judged.
+key-limits-force_min = Minimum contact force. Default: 0 if only force maintains the contact. "none" switches the limit off.
 name-force-min = force_min
 label-limits-force_min = Minimum force
 
@@ -28,7 +28,7 @@ key-limits-curvature = Minimum convex radius of curvature of the finished cam.
 name-curvature = curvature
 label-limits-curvature = Minimum radius
 
-key-limits-pressure_angle = Maximum pressure angle on both sides. Default: the bounds of the verdict (30° and 45° for a slide); none: not judged.
+key-limits-pressure_angle = Maximum pressure angle during rise and fall. Default: the bounds of the verdict (30°, for an arm 35°; up to 45° for low speed only). "none" switches this check off.
 name-pressure-angle = pressure_angle
 label-limits-pressure_angle = Pressure angle
 
@@ -63,7 +63,7 @@ key-limits-power_mean = Maximum mean power of the shaft, without friction: the p
 name-power-mean = power_mean
 label-limits-power_mean = Mean power
 
-key-limits-torque_rate = Maximum change of the shaft torque per cam angle.
+key-limits-torque_rate = Maximum rate of change of the shaft torque with respect to the cam angle.
 name-torque-rate = torque_rate
 label-limits-torque_rate = Torque rate
 
@@ -71,6 +71,6 @@ key-limits-hertz_pressure = Maximum Hertz pressure of the line contact, for the 
 name-hertz-pressure = hertz_pressure
 label-limits-hertz_pressure = Hertz pressure
 
-key-limits-residual = Maximum residual vibration of the follower in a dwell: its amplitude at the start of the dwell, with return spring and damping.
+key-limits-residual = Maximum residual vibration of the follower in a dwell: amplitude at the start of the dwell. The return spring and the damping are included.
 name-residual = residual
 label-limits-residual = Residual vibration

@@ -57,7 +57,7 @@ name-spline = spline
 name-polynomial = polynomial
 name-harmonic = harmonic
 name-double-harmonic = double-harmonic
-name-inverse-by-harmonics = the inverse by harmonics
+name-inverse-by-harmonics = the inverse solution by harmonics
 name-program = program
 
 # Rise laws.

@@ -1,6 +1,6 @@
 # Faults in a scene (src/scene/error.rs), and keys without effect (src/scene/notes.rs).
 scene-not-toml = not TOML in line { $line }: { $fault }
-scene-output-name = "{ $typed }" cannot name an output folder
+scene-output-name = "{ $typed }" is not a valid name for an output folder
     .help = use letters, digits, - and _
 scene-no-such-key = unknown key
     .help = { $nearest ->
@@ -54,7 +54,7 @@ scene-needed-by-drive = missing; this drive ({ $drive }) requires it
     .help = write for example { $example }
 scene-needed-in-entry = missing; every entry of the list requires it
     .help = write for example { $example }
-scene-no-assignment = "{ $typed }" is not a key, = and a value
+scene-no-assignment = "{ $typed }" does not have the form KEY=VALUE
     .help = write KEY=VALUE, for example limits.stroke=40 mm
 scene-no-entry = { $list }.{ $number } does not exist; { $given ->
         [0] no entry is given
@@ -69,11 +69,11 @@ scene-value-not-table = { $part } is a value, not a table
 scene-file-and-model = only one of file, model and harmonics can be given
     .help = keep one: file = "walk.mot", model = "young" or harmonics = ["0.4", "0.1 at -90 deg"]
 scene-not-harmonic = "{ $typed }" is not a load factor with its phase
-    .help = write one text per harmonic: the factor as a fraction of the weight (zero or more) and the phase of its sine: ["0.4", "0.1 at -90 deg"]
+    .help = write one string per harmonic: the amplitude as a fraction of the weight (zero or more) and the phase of the sine: ["0.4", "0.1 at -90 deg"]
 scene-not-learned-force = "{ $typed }" is not a force with its phase
-    .help = write a list of texts: the mean, then one text per harmonic of the cam's turn with its amplitude and phase (of the sine), as in ["0 N", "3.2 N at -90 deg"]
+    .help = write a list of strings: the mean force, then the amplitude and the sine phase of each harmonic of the cam's turn, as in ["0 N", "3.2 N at -90 deg"]
 scene-learned-forces = the learned force has { $given } harmonics, which are too many
-    .help = give the mean and the first harmonics, at most { $most } texts
+    .help = give the mean and the first harmonics, at most { $most } strings
 scene-harmonics = { $given ->
         [one] the only load factor is zero
        *[other] the { $given } load factors are all zero or too many
@@ -107,7 +107,7 @@ scene-no-speed = "auto" requires a target force, because its period determines t
     .help = write for example "60 rpm"
 scene-no-mass = "auto" requires a target force, because its mean determines the mass
     .help = write for example "70 kg"
-scene-base-and-prime = base_radius is given too, but each determines the other
+scene-base-and-prime = base_radius and prime_radius are both given, but each determines the other
     .help = remove one of them
 scene-radius-and-breadth = the breadth determines the base radius: (breadth − lift) / 2
     .help = remove base_radius and prime_radius
@@ -142,9 +142,9 @@ scene-frequency-and-stiffness = natural_frequency already defines the stiffness 
 scene-motor-line = a motor needs one of slope, stall_torque, rated_torque and curve
     .help = write for example slope = "10 N m s/rad" under [machine.motor], the decrease of torque per rad/s at the camshaft
 scene-no-load-without-stall = a no-load speed requires a stall_torque
-    .help = give both, or only the slope; its no-load speed is then computed
+    .help = give stall_torque and no_load_speed, or only slope; with slope, the no-load speed is computed
 scene-points-of-fusion = Fusion reads points in centimetres
-    .help = leave the unit out
+    .help = omit the unit
 scene-half-nameplate = the nameplate of a motor needs rated_torque and rated_speed
     .help = write for example rated_torque = "5.1 N m" and rated_speed = "1395 rpm" under [machine.motor]
 scene-not-synchronous = the synchronous speed of a motor is above its rated speed

@@ -1,5 +1,5 @@
 # Faults in a sweep: its axes, its plan, its tolerances and its tables.
-sweep-no-assignment = "{ $typed }" is not a key, = and a value
+sweep-no-assignment = "{ $typed }" does not have the form KEY=VALUES
     .help = write KEY=VALUES, for example limits.stroke=20 mm:60 mm:5 or law.family=spline,harmonic
 sweep-no-values = the grid is empty: no value is given
     .help = write at least one value between commas, or START:STOP:COUNT
@@ -15,7 +15,7 @@ sweep-not-number = "{ $typed }" does not start with a number
 sweep-no-rows = the grid is empty: there is no row to compute
 sweep-too-many-rows = { $rows } combinations are too many to compute
     .help = use fewer values, or sample them
-sweep-list-lengths = the list gives { $values } values of "{ $key }", but { $first } of its first key
+sweep-list-lengths = the list gives { $values } values of "{ $key }", but { $first } values of the first key
     .help = give every key of a list the same number of values
 sweep-not-carried = this file is not among the recordings of this sweep
 sweep-scatter-alone = cannot be combined with another variation, because it applies to one design
@@ -24,14 +24,14 @@ sweep-no-design = the scene has no feasible cam, so tolerances cannot be applied
 sweep-out-of-time = the time limit ended the search for this design
     .help = allow more time
 sweep-fixed = "{ $key }" cannot be varied
-    .help = the keys { $known } can be varied, and values of a list by number, such as law.segment.2.lift
+    .help = the keys { $known } can be varied; entries of a list are numbered, as in law.segment.2.lift
 sweep-key-twice = "{ $key }" is given twice
 sweep-nothing-to-sample = no key varies, so there is nothing to sample
     .help = vary a key over a range: KEY=START:STOP
 sweep-sobol-axes = Sobol sequences are available for up to { $most } keys
     .help = use Latin hypercube sampling (latin)
 sweep-no-scene = the base scene { $scene } does not exist
-sweep-no-tolerance-value = "{ $typed }" is not a part, = and a value
+sweep-no-tolerance-value = "{ $typed }" does not have the form PART=VALUE
     .help = write PART=VALUE, for example profile=0.02 mm
 sweep-no-tolerance = "{ $typed }" has no tolerance
     .help = these parts have a tolerance: profile, base_radius, mass, speed

@@ -6,12 +6,12 @@ reason-recording-kind = The kind of movement in the recording is not certain: { 
 reason-recording-clock = The time scale of the recording is not certain: { $because }. Set { $keys }, or gait.accept = "clock" if it is correct.
 reason-recording-mass = The mass of the walker and the scale of the forces are not certain: { $because }. Set { $keys }, or gait.accept = "mass" if they are correct.
 reason-recording-clipped = The recording is clipped: { $because }. Its peaks and the mass are too low, and gait.accept does not permit a clipped recording. Record again with a larger range, or omit the column ({ $keys }).
-reason-lift-jumps = The lift is discontinuous at { $at }; no follower can perform this. Prescribe the same lift on both sides.
+reason-lift-jumps = The lift is discontinuous at { $at }; no follower can follow such a lift. Prescribe the same lift on both sides.
 reason-velocity-jumps = The velocity is discontinuous at { $at }, which causes infinite acceleration and an impact on the follower. Prescribe the same velocity on both sides (law.point.N.velocity).
 reason-acceleration-jumps = The acceleration is discontinuous at { $at }, which causes infinite jerk, and vibration at high speed.
-reason-lifts-off = The contact force becomes negative at { $at } (by { $pull }): above { $speed } the follower loses contact. Set limits.force_min = "0 N" to keep it in contact.
-reason-lifts-off-as-prescribed = The contact force becomes negative at { $at } (by { $pull }): above { $speed } the follower loses contact. Run the cam more slowly, or prescribe a lower deceleration there.
-reason-contact-lost = The contact force becomes negative at { $at } (by { $pull }): the follower loses contact. Use a stiffer spring, a larger preload, or a lower speed.
+reason-lifts-off = The minimum contact force is −{ $pull } at { $at }: above { $speed } the follower loses contact. Set limits.force_min = "0 N" to keep it in contact.
+reason-lifts-off-as-prescribed = The minimum contact force is −{ $pull } at { $at }: above { $speed } the follower loses contact. Run the cam more slowly, or prescribe a lower deceleration there.
+reason-contact-lost = The minimum contact force is −{ $pull } at { $at }: the follower loses contact. Use a stiffer spring, a larger preload, or a lower speed.
 reason-contact-lost-in-run = In this run the follower is out of contact with the cam for { $share } of the motion. Use a stiffer spring, a larger preload, or a lower speed.
 reason-cusp = The profile has a cusp (zero radius of curvature) at { $at }. Set limits.curvature.
 reason-undercut = The profile is undercut at { $at }; its convex radius of curvature would be { $radius }.
@@ -39,22 +39,22 @@ reason-limit-broken = The limit { $limit } is violated at { $at }: the value is 
 design-scene = { $note }
 design-recording = { $note }
 design-stretched = One turn takes { $turn }, but the force cycle takes { $cycle }; the force curve is stretched to the turn.
-design-rounded-table = The lifts of the table of segment { $segment } are rounded, which can cause up to { $share } of its maximum acceleration. Give lifts with more decimals.
-design-not-judged = { $key } = "none": the default bound is not judged.
+design-rounded-table = The lifts in the table of segment { $segment } are rounded. The rounding errors can cause up to { $share } of the maximum acceleration of the segment. Give lifts with more decimals.
+design-not-judged = { $key } = "none" switches the default limit off.
 design-mean-force = The mean target force is { $mean }, but the weight of the mass is { $weight }. A cam cannot change the mean force over a turn, so the force error is at least { $error } RMS. Set drive.mass = "auto" or gait.scale = "to-mass".
 design-free-fall = The target force is near zero for { $share } of the turn ({ $duration }). There the mass must be in free fall, which alone requires a lift of about { $lift }. In walking, the total force of both feet (feet = "both") does not reach zero.
-design-largest-stroke = The target force accelerates the mass by at most { $acceleration }, so the stroke is at most { $stroke } (16 h/T² ≤ max|a|){ $idle ->
+design-largest-stroke = The target force accelerates the mass by at most { $acceleration }, so the stroke is at most { $stroke } (16 h/T² ≤ max|a|, with the stroke h and the duration T of the turn){ $idle ->
         [true] ; the stroke limit cannot be active
        *[other] {""}
     }.
 design-first-walker = The machine counts as the first walker, with the weight { $weight } (first entry of { $key }).
-design-phase = The turn of the cam starts at { $phase } of the force cycle, the phase of minimum force error.
+design-phase = Cam angle 0 is at { $phase } of the force cycle. This phase gives the minimum force error.
 design-out-of-time = The search ended at its time limit. The result is the best one found, and not all relaxations were tried. Allow more time with --time-limit.
-design-noise = The number of { $size } is limited to a force error of { $error } RMS, one fifth of the step-to-step standard deviation of the recording. A larger number would fit its noise. Set accuracy.rms to change this.
+design-noise = The number of { $size } is chosen for a force error of { $error } RMS, one fifth of the step-to-step standard deviation of the recording. A larger number would fit the noise of the recording. Set accuracy.rms to change this.
 design-sensor-noise = The samples of the force contain sensor noise of { $noise } RMS. The automatic accuracy and number of { $size } are set for a force error of { $error } RMS. Set gait.noise or accuracy.rms to change this.
 design-many-spans-in-band = The automatic number of spans is { $spans }; with fewer spans the force leaves gait.band. Set a wider band or fewer law.spans.
 design-many-spans = The automatic number of spans is { $spans }, because the force error must be at most { $error } RMS. Set gait.noise if the force is noisy, a larger accuracy.rms, or fewer law.spans.
-design-thin-wall = The wall between shaft hole and base circle is { $wall }; hubs usually have { $usual }. Set a larger cam.base_radius or a smaller cam.bore.
+design-thin-wall = The wall between bore and base circle is { $wall }; hubs usually have { $usual }. Set a larger cam.base_radius or a smaller cam.bore.
 design-large-roller = The radius of the roller, { $roller }, exceeds that of the cam, { $cam }. Check cam.roller_radius and its unit.
 design-thin-shaft = The base circle has a diameter of { $circle }, but a steel shaft for the torque of { $torque } requires { $shaft } (shear stress 40 MPa). Enlarge the cam, or leave its size open and set cam.bore to the diameter of the shaft.
 design-large-bore = The bore has a diameter of { $bore }, but a steel shaft for the torque of { $torque } requires only { $shaft } (shear stress 40 MPa). Check cam.bore and its unit.
@@ -62,7 +62,7 @@ design-inertia-for-accuracy = With this motor the force error over time is { $er
 design-no-base-circle = The minimum base radius is zero, so the profile passes through the shaft axis. Set cam.bore or cam.base_radius.
 design-usual-pressure-angle = No limit on the pressure angle is given; the cam is sized for the usual maximum of { $angle }. Set limits.pressure_angle to change it.
 design-polydyne = The cam is polydyne: at { $speed } the output end of a follower of stiffness { $stiffness } follows the law. Lift, velocity, acceleration, jerk and their limits refer to the cam; the force refers to the output end.
-design-polydyne-miss = With its flexible follower this cam has a force error of { $own } RMS; a cam with the law itself as its lift would have { $plain } RMS.
+design-polydyne-miss = With its flexible follower this cam has a force error of { $own } RMS; a cam whose lift equals the law would have { $plain } RMS.
 
 # Faults in the input of a design.
 synth-shaft-diverges = the iteration of law and shaft speed does not converge: the speed ripple is { $ripple }
@@ -104,7 +104,7 @@ synth-search-failed = the search failed: { $fault }
 synth-too-many-harmonics = { $samples } samples determine at most { $most } harmonics
 synth-resonance = harmonic { $harmonic } of the force is at the resonance of the drive, where spring and inertia forces cancel
     .help = add damping, or change mass, spring rate or speed
-synth-no-constant-breadth = the law does not have a constant breadth: two lifts half a turn apart have the sum { $sum } at 0°, but a sum that differs by { $miss } at { $at }
+synth-no-constant-breadth = the law does not have a constant breadth: the sum of the lifts at θ and θ + 180° is { $sum } for θ = 0°, but differs from this by { $miss } for θ = { $at }
     .help = give only the segments of the first 180°; they determine the other half
 synth-breadth-too-small = a breadth of { $breadth } is too small for a lift of { $lift }
     .help = the breadth is twice the base radius (roller: prime radius) plus the lift

@@ -40,9 +40,9 @@ write-too-sharp = the profile is too sharp for a smooth spline
     .help = set limits.curvature so that the profile has no cusp
 write-ecam-intervals = this controller does not accept { $asked } points
     .help = give { $least } to { $most }, or omit --points
-write-ecam-points = with { $points } points the force error of { $dialect } is { $error } of the mean RMS (maximum { $allowed })
+write-ecam-points = with { $points } points the RMS force error of { $dialect } is { $error } of the mean force (maximum { $allowed })
     .help = give --points { $better } ({ $to }), or omit --points
-write-ecam-law = the minimum force error of { $dialect } is { $error } of the mean RMS, with { $points } points (maximum { $allowed })
+write-ecam-law = the RMS force error of { $dialect } is at least { $error } of the mean force, with { $points } points (maximum { $allowed })
     .help = choose codesys, twincat or segments, or a law with continuous acceleration
 write-ecam-of-motor = the law is designed for a shaft of varying speed, but the master of an electronic cam turns at constant speed
     .help = set law.shaft = "constant"

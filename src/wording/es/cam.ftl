@@ -43,10 +43,10 @@ cam-slides-by-angle = los seguidores de traslación conjugados no se definen por
 cam-no-conjugate-of = no existe leva conjugada para este seguidor ({ $follower })
     .help = la ranura ya guía este seguidor por ambos lados
 cam-second-cam = la leva conjugada no existe: { $because }
-cam-no-conjugate = no existe leva conjugada para un total de { $total }: el primer seguidor por sí solo alcanza { $reach }
+cam-no-conjugate = no existe leva conjugada para una distancia o un ángulo de { $total } entre ambos seguidores: el primer seguidor por sí solo alcanza { $reach }
     .help = { $least ->
-        [none] el total debe ser mucho mayor que { $reach }
-       *[other] con un total de al menos { $least } (segundo radio base { $base }) la leva conjugada no tiene rebaje
+        [none] este valor debe ser mucho mayor que { $reach }
+       *[other] con al menos { $least } (segundo radio base { $base }) la leva conjugada no tiene rebaje
     }
 cam-translating-height = la altura base de una leva de traslación no influye en la curvatura ni en el ángulo de presión
     .help = aumente su recorrido o use un rodillo más pequeño

@@ -16,7 +16,7 @@ key-limits-jerk = Sobreaceleración máxima |d³s/dt³|.
 name-jerk = sobreaceleración
 label-limits-jerk = Sobreaceleración
 
-key-limits-force_min = Fuerza de contacto mínima. Por defecto: 0 donde solo la fuerza mantiene el contacto; none: no se juzga.
+key-limits-force_min = Fuerza de contacto mínima. Por defecto: 0 si solo la fuerza mantiene el contacto. "none" desactiva el límite.
 name-force-min = fuerza mínima
 label-limits-force_min = Fuerza mínima
 
@@ -28,7 +28,7 @@ key-limits-curvature = Radio de curvatura convexo mínimo de la leva acabada.
 name-curvature = radio de curvatura
 label-limits-curvature = Radio mínimo
 
-key-limits-pressure_angle = Ángulo de presión máximo en ambos lados. Por defecto: los límites del veredicto (30° y 45° para una guía recta); none: no se juzga.
+key-limits-pressure_angle = Ángulo de presión máximo en subida y bajada. Por defecto: los límites del veredicto (30°, con brazo 35°; hasta 45° solo a baja velocidad). "none" desactiva esta comprobación.
 name-pressure-angle = ángulo de presión
 label-limits-pressure_angle = Ángulo de presión
 
@@ -63,7 +63,7 @@ key-limits-power_mean = Potencia media máxima en el eje, sin rozamiento: la pot
 name-power-mean = potencia media
 label-limits-power_mean = Potencia media
 
-key-limits-torque_rate = Variación máxima del par del eje por ángulo de leva.
+key-limits-torque_rate = Derivada máxima del par del eje respecto al ángulo de la leva.
 name-torque-rate = variación del par
 label-limits-torque_rate = Variación del par
 
@@ -71,6 +71,6 @@ key-limits-hertz_pressure = Presión de Hertz máxima del contacto lineal, para 
 name-hertz-pressure = presión de Hertz
 label-limits-hertz_pressure = Presión de Hertz
 
-key-limits-residual = Vibración residual máxima del seguidor en un detenimiento: su amplitud al principio del detenimiento, con el muelle y el amortiguamiento.
+key-limits-residual = Vibración residual máxima del seguidor en un detenimiento: amplitud al principio del detenimiento. Se incluyen el muelle y el amortiguamiento.
 name-residual = vibración residual
 label-limits-residual = Vibración residual

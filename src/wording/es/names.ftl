@@ -57,7 +57,7 @@ name-spline = spline
 name-polynomial = polinomio
 name-harmonic = armónica
 name-double-harmonic = doble armónica
-name-inverse-by-harmonics = la inversa por armónicos
+name-inverse-by-harmonics = la solución inversa por armónicos
 name-program = programa
 
 # Leyes de subida.

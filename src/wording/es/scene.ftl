@@ -1,6 +1,6 @@
 # Errores en una escena (src/scene/error.rs) y claves sin efecto (src/scene/notes.rs).
 scene-not-toml = error de sintaxis TOML en la línea { $line }: { $fault }
-scene-output-name = «{ $typed }» no puede dar nombre a una carpeta de salida
+scene-output-name = «{ $typed }» no es un nombre válido de carpeta de salida
     .help = use letras, cifras, - y _
 scene-no-such-key = clave desconocida
     .help = { $nearest ->
@@ -54,7 +54,7 @@ scene-needed-by-drive = falta; este accionamiento ({ $drive }) la requiere
     .help = escriba por ejemplo { $example }
 scene-needed-in-entry = falta; cada entrada de la lista la requiere
     .help = escriba por ejemplo { $example }
-scene-no-assignment = «{ $typed }» no es una clave, = y un valor
+scene-no-assignment = «{ $typed }» no tiene la forma CLAVE=VALOR
     .help = escriba CLAVE=VALOR, por ejemplo limits.stroke=40 mm
 scene-no-entry = no existe { $list }.{ $number }; { $given ->
         [0] no se da ninguna entrada
@@ -69,9 +69,9 @@ scene-value-not-table = { $part } es un valor, no una tabla
 scene-file-and-model = solo se puede dar uno de file, model y harmonics
     .help = conserve uno: file = "walk.mot", model = "young" o harmonics = ["0.4", "0.1 at -90 deg"]
 scene-not-harmonic = "{ $typed }" no es un factor de carga con su fase
-    .help = escriba un texto por armónico: el factor como fracción del peso (cero o mayor) y la fase de su seno: ["0.4", "0.1 at -90 deg"]
+    .help = escriba un texto por armónico: la amplitud como fracción del peso (cero o mayor) y la fase del seno: ["0.4", "0.1 at -90 deg"]
 scene-not-learned-force = "{ $typed }" no es una fuerza con su fase
-    .help = escriba una lista de textos: la media y después un texto por armónico de la vuelta de la leva con su amplitud y su fase (del seno), como ["0 N", "3.2 N at -90 deg"]
+    .help = escriba una lista de textos: la fuerza media y después la amplitud y la fase del seno de cada armónico de la vuelta de la leva, como ["0 N", "3.2 N at -90 deg"]
 scene-learned-forces = la fuerza aprendida tiene { $given } armónicos, que son demasiados
     .help = dé la media y los primeros armónicos, como máximo { $most } textos
 scene-harmonics = { $given ->
@@ -107,7 +107,7 @@ scene-no-speed = "auto" requiere una fuerza objetivo, porque su período determi
     .help = escriba por ejemplo "60 rpm"
 scene-no-mass = "auto" requiere una fuerza objetivo, porque su media determina la masa
     .help = escriba por ejemplo "70 kg"
-scene-base-and-prime = también se da base_radius, pero cada uno determina el otro
+scene-base-and-prime = se dan base_radius y prime_radius, pero cada uno determina el otro
     .help = quite uno de los dos
 scene-radius-and-breadth = la anchura determina el radio base: (anchura − elevación) / 2
     .help = quite base_radius y prime_radius
@@ -142,7 +142,7 @@ scene-frequency-and-stiffness = natural_frequency ya define la rigidez del tren 
 scene-motor-line = un motor necesita uno de slope, stall_torque, rated_torque y curve
     .help = escriba por ejemplo slope = "10 N m s/rad" en [machine.motor], la disminución del par por rad/s en el eje de la leva
 scene-no-load-without-stall = una velocidad en vacío requiere un stall_torque
-    .help = indique ambos, o solo slope; su velocidad en vacío se calcula entonces
+    .help = indique stall_torque y no_load_speed, o solo slope; con slope se calcula la velocidad en vacío
 scene-motor-curve = el par del motor debe disminuir con su velocidad
     .help = dé al menos dos filas con velocidades crecientes y pares decrecientes: un archivo con las columnas speed_rad_per_s y torque_n_m, o parejas como "0 50 10 20 12 -4"
 scene-motor-without-inertia = falta; el motor requiere el momento de inercia de su eje

@@ -1,5 +1,5 @@
 # Errores de un barrido: sus ejes, su plan, sus tolerancias y sus tablas.
-sweep-no-assignment = «{ $typed }» no es una clave, = y un valor
+sweep-no-assignment = «{ $typed }» no tiene la forma CLAVE=VALORES
     .help = escriba CLAVE=VALORES, por ejemplo limits.stroke=20 mm:60 mm:5 o law.family=spline,harmonic
 sweep-no-values = la rejilla está vacía: no se da ningún valor
     .help = escriba al menos un valor entre comas, o INICIO:FIN:CANTIDAD
@@ -15,7 +15,7 @@ sweep-not-number = "{ $typed }" no empieza por un número
 sweep-no-rows = la rejilla está vacía: no hay filas que calcular
 sweep-too-many-rows = { $rows } combinaciones son demasiadas para calcularlas
     .help = use menos valores, o una muestra
-sweep-list-lengths = la lista da { $values } valores de "{ $key }", pero { $first } de su primera clave
+sweep-list-lengths = la lista da { $values } valores de "{ $key }", pero { $first } valores de la primera clave
     .help = dé a cada clave de una lista el mismo número de valores
 sweep-not-carried = este archivo no está entre los registros de este barrido
 sweep-scatter-alone = no se puede combinar con otra variación, porque se aplica a un solo diseño
@@ -24,14 +24,14 @@ sweep-no-design = la escena no tiene una leva factible, así que no se pueden ap
 sweep-out-of-time = el límite de tiempo terminó la búsqueda de este diseño
     .help = permita más tiempo
 sweep-fixed = "{ $key }" no se puede variar
-    .help = se pueden variar las claves { $known }, y valores de una lista por su número, como law.segment.2.lift
+    .help = se pueden variar las claves { $known }; las entradas de una lista se numeran, como en law.segment.2.lift
 sweep-key-twice = "{ $key }" aparece dos veces
 sweep-nothing-to-sample = no varía ninguna clave, así que no hay nada que muestrear
     .help = varíe una clave en un intervalo: CLAVE=INICIO:FIN
 sweep-sobol-axes = las sucesiones de Sobol están disponibles hasta { $most } claves
     .help = use el hipercubo latino (latin)
 sweep-no-scene = la escena base { $scene } no existe
-sweep-no-tolerance-value = «{ $typed }» no es una parte, = y un valor
+sweep-no-tolerance-value = «{ $typed }» no tiene la forma PARTE=VALOR
     .help = escriba PARTE=VALOR, por ejemplo profile=0.02 mm
 sweep-no-tolerance = "{ $typed }" no admite tolerancia
     .help = estas partes tienen tolerancia: profile, base_radius, mass, speed

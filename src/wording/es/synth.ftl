@@ -6,12 +6,12 @@ reason-recording-kind = No está claro qué movimiento contiene el registro: { $
 reason-recording-clock = La escala de tiempo del registro no está clara: { $because }. Indique { $keys }, o gait.accept = "clock" si es correcta.
 reason-recording-mass = La masa de la persona y la escala de las fuerzas no están claras: { $because }. Indique { $keys }, o gait.accept = "mass" si son correctas.
 reason-recording-clipped = El registro está recortado: { $because }. Sus picos y la masa son demasiado bajos, y gait.accept no permite un registro recortado. Registre de nuevo con un rango mayor, o excluya la columna ({ $keys }).
-reason-lift-jumps = La elevación es discontinua en { $at }; ningún seguidor puede realizarla. Prescriba la misma elevación a ambos lados.
+reason-lift-jumps = La elevación es discontinua en { $at }; ningún seguidor puede seguirla. Prescriba la misma elevación a ambos lados.
 reason-velocity-jumps = La velocidad es discontinua en { $at }, lo que causa aceleración infinita y un choque del seguidor. Prescriba la misma velocidad a ambos lados (law.point.N.velocity).
 reason-acceleration-jumps = La aceleración es discontinua en { $at }, lo que causa sobreaceleración infinita y vibración a alta velocidad.
-reason-lifts-off = La fuerza de contacto se hace negativa en { $at } (en { $pull }): por encima de { $speed } el seguidor pierde el contacto. Fije limits.force_min = "0 N" para mantenerlo.
-reason-lifts-off-as-prescribed = La fuerza de contacto se hace negativa en { $at } (en { $pull }): por encima de { $speed } el seguidor pierde el contacto. Haga girar la leva más despacio o prescriba una deceleración menor en ese punto.
-reason-contact-lost = La fuerza de contacto se hace negativa en { $at } (en { $pull }): el seguidor pierde el contacto. Use un muelle más rígido, más precarga o menos velocidad.
+reason-lifts-off = La fuerza de contacto mínima es −{ $pull } en { $at }: por encima de { $speed } el seguidor pierde el contacto. Fije limits.force_min = "0 N" para mantenerlo.
+reason-lifts-off-as-prescribed = La fuerza de contacto mínima es −{ $pull } en { $at }: por encima de { $speed } el seguidor pierde el contacto. Haga girar la leva más despacio o prescriba una deceleración menor en ese punto.
+reason-contact-lost = La fuerza de contacto mínima es −{ $pull } en { $at }: el seguidor pierde el contacto. Use un muelle más rígido, más precarga o menos velocidad.
 reason-contact-lost-in-run = En este ensayo el seguidor está sin contacto con la leva durante { $share } del movimiento. Use un muelle más rígido, más precarga o menos velocidad.
 reason-cusp = El perfil tiene una cúspide (radio de curvatura nulo) en { $at }. Fije limits.curvature.
 reason-undercut = El perfil presenta rebaje en { $at }; su radio de curvatura convexo sería { $radius }.
@@ -39,22 +39,22 @@ reason-limit-broken = No se cumple el límite «{ $limit }» en { $at }: el valo
 design-scene = { $note }
 design-recording = { $note }
 design-stretched = Una vuelta dura { $turn }, pero el ciclo de fuerza dura { $cycle }; la curva de fuerza se adapta a la vuelta.
-design-rounded-table = Las elevaciones de la tabla del segmento { $segment } están redondeadas, lo que puede causar hasta el { $share } de su aceleración máxima. Dé elevaciones con más decimales.
-design-not-judged = { $key } = "none": el límite habitual no se juzga.
+design-rounded-table = Las elevaciones de la tabla del segmento { $segment } están redondeadas. Los errores de redondeo pueden causar hasta el { $share } de la aceleración máxima del segmento. Dé elevaciones con más decimales.
+design-not-judged = { $key } = "none": desactiva el límite habitual.
 design-mean-force = La fuerza objetivo media es { $mean }, pero el peso de la masa es { $weight }. Una leva no puede cambiar la fuerza media de una vuelta, de modo que el error de fuerza es como mínimo { $error } RMS. Fije drive.mass = "auto" o gait.scale = "to-mass".
 design-free-fall = La fuerza objetivo es casi nula durante { $share } de la vuelta ({ $duration }). Ahí la masa debe estar en caída libre, lo que por sí solo requiere una elevación de unos { $lift }. Al caminar, la fuerza total de ambos pies (feet = "both") no llega a cero.
-design-largest-stroke = La fuerza objetivo acelera la masa como máximo a { $acceleration }, de modo que la carrera es como máximo { $stroke } (16 h/T² ≤ máx|a|){ $idle ->
+design-largest-stroke = La fuerza objetivo acelera la masa como máximo a { $acceleration }, de modo que la carrera es como máximo { $stroke } (16 h/T² ≤ máx|a|, con la carrera h y la duración T de la vuelta){ $idle ->
         [true] ; el límite de carrera no puede estar activo
        *[other] {""}
     }.
 design-first-walker = La máquina cuenta como el primer caminante, con el peso { $weight } (primer valor de { $key }).
-design-phase = La vuelta de la leva empieza en { $phase } del ciclo de fuerza, la fase de error de fuerza mínimo.
+design-phase = El ángulo 0 de la leva está en { $phase } del ciclo de fuerza. Esta fase da el error de fuerza mínimo.
 design-out-of-time = La búsqueda terminó en su límite de tiempo. El resultado es el mejor hallado, y no se probaron todas las relajaciones. Permita más tiempo con --time-limit.
-design-noise = El número de { $size } se limita a un error de fuerza de { $error } RMS, la quinta parte de la desviación típica entre pasos del registro. Un número mayor ajustaría su ruido. Fije accuracy.rms para cambiarlo.
+design-noise = El número de { $size } se elige para un error de fuerza de { $error } RMS, la quinta parte de la desviación típica entre pasos del registro. Un número mayor ajustaría el ruido del registro. Fije accuracy.rms para cambiarlo.
 design-sensor-noise = Las muestras de la fuerza contienen un ruido de sensor de { $noise } RMS. La exactitud automática y el número de { $size } corresponden a un error de fuerza de { $error } RMS. Fije gait.noise o accuracy.rms para cambiarlo.
 design-many-spans-in-band = El número automático de tramos es { $spans }; con menos tramos la fuerza sale de gait.band. Fije una banda más ancha o menos law.spans.
 design-many-spans = El número automático de tramos es { $spans }, porque el error de fuerza debe ser como máximo { $error } RMS. Fije gait.noise si la fuerza es ruidosa, un accuracy.rms mayor o menos law.spans.
-design-thin-wall = La pared entre el agujero del eje y el círculo base es de { $wall }; un cubo suele tener { $usual }. Fije un cam.base_radius mayor o un cam.bore menor.
+design-thin-wall = La pared entre el agujero y el círculo base es de { $wall }; un cubo suele tener { $usual }. Fije un cam.base_radius mayor o un cam.bore menor.
 design-large-roller = El radio del rodillo, { $roller }, supera el de la leva, { $cam }. Compruebe cam.roller_radius y su unidad.
 design-thin-shaft = El círculo base tiene un diámetro de { $circle }, pero un eje de acero para el par de { $torque } requiere { $shaft } (tensión tangencial de 40 MPa). Agrande la leva, o deje abierto su tamaño y fije cam.bore con el diámetro del eje.
 design-large-bore = El agujero tiene un diámetro de { $bore }, pero un eje de acero para el par de { $torque } solo requiere { $shaft } (tensión tangencial de 40 MPa). Compruebe cam.bore y su unidad.
@@ -62,7 +62,7 @@ design-inertia-for-accuracy = Con este motor el error de fuerza en el tiempo es 
 design-no-base-circle = El radio base mínimo es cero, de modo que el perfil pasa por el eje. Fije cam.bore o cam.base_radius.
 design-usual-pressure-angle = No se da límite para el ángulo de presión; la leva se dimensiona para el máximo habitual, { $angle }. Fije limits.pressure_angle para cambiarlo.
 design-polydyne = La leva es polidina: a { $speed } el extremo de salida de un seguidor de rigidez { $stiffness } sigue la ley. Elevación, velocidad, aceleración, sobreaceleración y sus límites se refieren a la leva; la fuerza, al extremo de salida.
-design-polydyne-miss = Con su seguidor flexible, esta leva tiene un error de fuerza de { $own } RMS; una leva con la propia ley como elevación tendría { $plain } RMS.
+design-polydyne-miss = Con su seguidor flexible, esta leva tiene un error de fuerza de { $own } RMS; una leva cuya elevación es la ley tendría { $plain } RMS.
 
 # Errores en los datos de un diseño.
 synth-shaft-diverges = la iteración de ley y velocidad del eje no converge: la oscilación de velocidad es del { $ripple }
@@ -104,7 +104,7 @@ synth-search-failed = la búsqueda falló: { $fault }
 synth-too-many-harmonics = { $samples } muestras determinan como máximo { $most } armónicos
 synth-resonance = el armónico { $harmonic } de la fuerza está en la resonancia del accionamiento, donde las fuerzas del muelle y de inercia se anulan
     .help = añada amortiguamiento, o cambie la masa, la rigidez o la velocidad
-synth-no-constant-breadth = la ley no tiene una anchura constante: dos elevaciones separadas media vuelta suman { $sum } en 0°, pero su suma difiere en { $miss } en { $at }
+synth-no-constant-breadth = la ley no tiene una anchura constante: la suma de las elevaciones en θ y θ + 180° es { $sum } para θ = 0°, pero difiere de este valor en { $miss } para θ = { $at }
     .help = indique solo los segmentos de los primeros 180°; la otra mitad resulta de ellos
 synth-breadth-too-small = una anchura de { $breadth } es demasiado pequeña para una elevación de { $lift }
     .help = la anchura es el doble del radio base (rodillo: radio primario) más la elevación

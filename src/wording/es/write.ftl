@@ -40,9 +40,9 @@ write-too-sharp = el perfil es demasiado agudo para una spline suave
     .help = fije limits.curvature para que el perfil no tenga cúspide
 write-ecam-intervals = este control no admite { $asked } puntos
     .help = indique de { $least } a { $most }, u omita --points
-write-ecam-points = con { $points } puntos el error de fuerza de { $dialect } es el { $error } de la media, RMS (máximo { $allowed })
+write-ecam-points = con { $points } puntos el error RMS de fuerza de { $dialect } es el { $error } de la fuerza media (máximo { $allowed })
     .help = indique --points { $better } ({ $to }), u omita --points
-write-ecam-law = el error de fuerza mínimo de { $dialect } es el { $error } de la media, RMS, con { $points } puntos (máximo { $allowed })
+write-ecam-law = el error RMS de fuerza de { $dialect } es como mínimo el { $error } de la fuerza media, con { $points } puntos (máximo { $allowed })
     .help = elija codesys, twincat o segments, o una ley de aceleración continua
 write-ecam-of-motor = la ley está diseñada para un eje de velocidad variable, pero el maestro de una leva electrónica gira a velocidad constante
     .help = ponga law.shaft = "constant"

@@ -47,7 +47,7 @@ pub struct GaitArgs {
     #[arg(required = true, value_name = "FILE|FOLDER")]
     files: Vec<PathBuf>,
     /// Write the mean cycle, or the joint mean of several recordings, as csv or for OpenSim (.mot), with pictures
-    /// (svg, png). A folder also gets the cycle of each recording
+    /// (svg, png). In a folder, the cycle of each recording is also written
     #[arg(long, value_name = "CURVE.csv|CURVE.mot|DIR")]
     out: Option<PathBuf>,
     /// Print JSON
@@ -86,7 +86,7 @@ pub struct GaitArgs {
     /// List every stance and every rejected contact of a recording, or write them as a table
     #[arg(long, value_name = "STANCES.csv", num_args = 0..=1)]
     stances: Option<Option<PathBuf>>,
-    /// Assign the walker to a cam in an output folder of gaitcam cover, with the force error
+    /// Assign a cam from an output folder of gaitcam cover to the walker, with the force error
     #[arg(long, value_name = "DIR")]
     against: Option<PathBuf>,
 }

@@ -40,7 +40,7 @@ pub struct InspectArgs {
     #[arg(value_name = "RESULT")]
     design: PathBuf,
     /// Measured points of the profile in the coordinates of the measuring machine: a csv with the columns
-    /// x_mm,y_mm or angle_deg,radius_mm (or m, in, rad), one point a line, in any order
+    /// x_mm,y_mm or angle_deg,radius_mm (or m, in, rad), one point per line, in any order
     #[arg(value_name = "FILE")]
     measured: PathBuf,
     /// The points are centres of a probing ball of this radius: --ball '1 mm'

@@ -81,7 +81,7 @@ pub struct SweepArgs {
     /// Number of threads (default: one per core)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
-    /// Write a line with rate and remaining time every 10 s where standard error is no terminal
+    /// Write a line with rate and remaining time every 10 s if standard error is not a terminal
     #[arg(long, conflicts_with = "tolerance")]
     pub progress: bool,
     /// Only estimate the time of the sweep from the times of some rows; nothing is written

@@ -51,7 +51,7 @@ pub struct WalkArgs {
     /// The design: a folder or summary.json of synth, a scene file or the name of a built-in scene
     #[arg(value_name = "RESULT")]
     design: PathBuf,
-    /// A recording with eight or more consecutive strides (default: that of the design)
+    /// A recording with eight or more consecutive strides (default: the recording of the design)
     #[arg(value_name = "RECORDING")]
     recording: Option<PathBuf>,
     /// Generate this number of strides with the statistics of human steps, instead of a recording
@@ -66,10 +66,10 @@ pub struct WalkArgs {
     /// Seed of the generated steps
     #[arg(long, default_value_t = 1, requires = "generate")]
     seed: u64,
-    /// Write the programme here, with a picture of the response (svg, png) beside it
+    /// File for the programme; pictures of the response (svg, png) are written to the same folder
     #[arg(long, value_name = "SPEED.csv", default_value = "speed.csv")]
     out: PathBuf,
-    /// Largest angular acceleration of the camshaft: "10 rad/s^2"
+    /// Maximum angular acceleration of the camshaft: "10 rad/s^2"
     #[arg(long, value_name = "ACCELERATION")]
     max_acceleration: Option<String>,
     /// Print JSON

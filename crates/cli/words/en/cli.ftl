@@ -39,10 +39,10 @@ cli-nothing-to-walk = the scene has no target force of one walker on a cam that 
     .help = give a scene with a load model or a recording
 cli-varies-too-much = the coefficient of variation must be between 0 and { $most }
     .help = the step time of healthy people varies by 1 to 4 %
-cli-strides-missing = { $count } strides are requested, and { $recorded } consecutive ones are recorded
+cli-strides-missing = { $count } strides are requested, but only { $recorded } consecutive strides are recorded
     .help = give a smaller number, or use a recording with more strides; fewer than eight consecutive strides are not used
-cli-few-strides = { $strides } consecutive strides of both feet; a walk needs { $needed }
-    .help = record a longer walk on a treadmill or with insoles; gaitcam gait --stances lists what was rejected
+cli-few-strides = the recording has only { $strides } consecutive strides of both feet; a walk needs { $needed }
+    .help = record a longer walk on a treadmill or with insoles; gaitcam gait --stances lists the rejected contacts
 cli-clipped-walk = the force is clipped: its amplitude is not known
     .help = record again with a larger range
 cli-programme-column = the speed programme has no column { $column }
@@ -168,11 +168,11 @@ synth-load-factors = dynamic load factors 1 to 4: { $list }
 synth-walkers = { $count }: force error { $mean } % of the mean force on average, { $cvar } % for the worst { $tail ->
         [tenth] tenth
        *[other] { $tail } %
-    }, { $worst } % for the worst ({ $who })
+    }, { $worst } % for the worst walker ({ $who })
 synth-walkers-n = { $count }: force error { $mean } N on average, { $cvar } N for the worst { $tail ->
         [tenth] tenth
        *[other] { $tail } %
-    }, { $worst } N for the worst ({ $who })
+    }, { $worst } N for the worst walker ({ $who })
 synth-shaft = { $low } … { $high } rad/s, ripple { $ripple } %; motor: no-load speed { $noload } rad/s, torque { $rms } N·m RMS, { $most } N·m peak
 synth-shaft-error = force error over time { $own } % of the mean; { $before } % with the law for constant speed{ $rounds ->
         [0] {""}
@@ -234,14 +234,14 @@ sweep-skipped = { $count } file(s) in the folder are not recordings and are skip
 sweep-complete = { $file } is already complete.
 sweep-stopped = stopped after { $done } of { $rows } rows; completed rows are saved; continue with --resume
 sweep-counts = { $rows } rows in { $file }: { $built } built ({ $acceptable } acceptable, { $slow } not for high speed), { $infeasible } infeasible, { $errors } errors
-sweep-estimate = { $rows } designs take about { $time } with { $threads } threads ({ $core } core hours): { $rate } per second and core, measured with { $computed } of them
+sweep-estimate = { $rows } designs take about { $time } with { $threads } threads ({ $core } core hours): { $rate } per second and core, measured with { $computed } designs
 sweep-rate = { $designs } designs in { $seconds } s, { $rate } per second
 sweep-first-error = First error, row { $row }: { $fault }
 sweep-damaged = { $file } is damaged, so its rows are computed again
 sweep-no-design = tolerances cannot be applied without a design: { $why }
 sweep-samples = { $name }: { $count } manufactured samples; force error as designed { $own } % of the mean
 sweep-spread = spread    mean { $mean } %, standard deviation { $deviation } %, 5 % to 95 %: { $p5 } % … { $p95 } %, median { $median } %, maximum { $largest } %
-sweep-yield = yield     { $within } % of the cams are within { $band } %
+sweep-yield = yield     { $within } % of the cams have a force error of at most { $band } %
 sweep-scatter-files = Samples are in { $file }, pictures in { $page }.
 sweep-shard = write I/N, for example 3/16 for the third of sixteen shares; shares count from 1 (or from 0, then 0/16 means 16/16)
 sweep-shard-done = { $folder }: { $rows } rows computed, { $left ->
@@ -254,7 +254,7 @@ sweep-progress = { $done }/{ $total } { $what }, { $rate }/s, { $left } left
 
 # sweep --tolerance: the report.
 scatter-title = { $name }: manufacturing scatter
-scatter-how = Each sample is the cam with random errors, distributed uniformly over the tolerances; its force error is computed from these errors.
+scatter-how = Each sample is the cam with random errors that are uniformly distributed over the tolerances. The force error of each sample is computed.
 scatter-heading = Force error of manufactured samples
 scatter-picture = { $name }: force error of manufactured samples
 scatter-axis = force error RMS, % of the mean
@@ -324,7 +324,7 @@ cover-shape = shape
 cover-bound-worst = minimised: the worst error; bound: lower bound for this number of cams. others: error for new walkers, by five-fold cross-validation
 cover-bound-mean = minimised: the root mean square of the errors; bound: lower bound for this number of cams. others: error for new walkers, by five-fold cross-validation
 cover-bound-tail = minimised: the root mean square of the errors of the worst walkers; bound: lower bound for this number of cams. others: error for new walkers, by five-fold cross-validation
-cover-stopped = The time limit ended the search before all numbers of cams. Set a longer --time-limit.
+cover-stopped = The time limit ended the search before all numbers of cams were examined. Set a longer --time-limit.
 cover-cut = The time limit ended the search; better assignments may exist. Set a longer --time-limit.
 cover-error = RMS force error, % of the mean force
 cover-error-n = RMS force error, N
@@ -371,7 +371,7 @@ explain-none-passed-over = it is the simplest of the families that were tried
 explain-family-degree = { $family } of degree { $degree }
 explain-constant-speed = constant speed
 explain-motor = the speed of the shaft with the motor
-explain-forecast = from inertia and alternating energy, the forecast is a ripple of { $ripple } % and a force change of { $change } % of the mean (RMS); { $neglected } % is neglected{ $enough ->
+explain-forecast = inertia and alternating energy give an estimated ripple of { $ripple } % and a force change of { $change } % of the mean (RMS); a change up to { $neglected } % is neglected{ $enough ->
         [true] {": "}constant speed is sufficient
        *[other] {""}
     }
@@ -413,8 +413,8 @@ inspect-outliers = { $count } { $count ->
         [one] point differs
        *[other] points differ
     } by up to { $most } µm from the others (lines { $lines }); these are excluded
-inspect-part = only a part of the profile is measured, without points between { $from } and { $to }; force and motion as manufactured are unknown
-inspect-waves = { $waves } waves per turn explain the deviation; the noise is { $left } RMS
+inspect-part = only a part of the profile is measured: there are no points between { $from } and { $to }, so force and motion as manufactured are unknown
+inspect-waves = { $waves } harmonics of the turn describe the deviation; the noise is { $left } RMS
 inspect-rms = force error RMS: as designed { $before }, as manufactured { $after } { $unit }
 inspect-max = force error maximum: as designed { $before }, as manufactured { $after } { $unit }
 inspect-least-force = minimum force: as designed { $before }, as manufactured { $after } { $unit }
@@ -442,7 +442,7 @@ programme-force = force { $low } … { $high } N
 programme-limit = { $limit }: { $worst }, limit { $bound } (SI)
 
 ecam-no-strides = no electronic cam: { $why }
-ecam-strides = strides repeat after { $duration } s; damping, %: { $dampings }; misfit of the response: { $misfit }; peak, relative to the walk: { $peak }
+ecam-strides = the strides repeat after { $duration } s; damping, %: { $dampings }; misfit of the response: { $misfit }; peak, relative to the walk: { $peak }
 ecam-no-cam = there is no cam to simulate: { $why }
 points-file = { $count } points in { $unit }: { $file }
 ecam-file = File { $file }.

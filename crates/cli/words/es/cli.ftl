@@ -39,10 +39,10 @@ cli-nothing-to-walk = la escena no tiene la fuerza objetivo de un caminante sobr
     .help = dé una escena con un modelo de carga o un registro
 cli-varies-too-much = el coeficiente de variación debe estar entre 0 y { $most }
     .help = la duración del paso de personas sanas varía del 1 al 4 %
-cli-strides-missing = se piden { $count } zancadas y hay { $recorded } consecutivas registradas
+cli-strides-missing = se piden { $count } zancadas, pero solo hay { $recorded } zancadas consecutivas registradas
     .help = indique un número menor o use un registro con más zancadas; menos de ocho zancadas consecutivas no se usan
-cli-few-strides = { $strides } zancadas consecutivas de ambos pies; una marcha requiere { $needed }
-    .help = registre una marcha más larga en cinta o con plantillas; gaitcam gait --stances enumera lo rechazado
+cli-few-strides = el registro solo tiene { $strides } zancadas consecutivas de ambos pies; una marcha requiere { $needed }
+    .help = registre una marcha más larga en cinta o con plantillas; gaitcam gait --stances enumera los contactos rechazados
 cli-clipped-walk = la fuerza está recortada: no se conoce su amplitud
     .help = registre de nuevo con un rango mayor
 cli-programme-column = el programa de velocidad no tiene la columna { $column }
@@ -168,11 +168,11 @@ synth-load-factors = factores de carga dinámica 1 a 4: { $list }
 synth-walkers = { $count }: error de fuerza del { $mean } % de la fuerza media en promedio, { $cvar } % en { $tail ->
         [tenth] la peor décima parte
        *[other] el peor { $tail } %
-    }, { $worst } % en el peor ({ $who })
+    }, { $worst } % en el peor caminante ({ $who })
 synth-walkers-n = { $count }: error de fuerza de { $mean } N en promedio, { $cvar } N en { $tail ->
         [tenth] la peor décima parte
        *[other] el peor { $tail } %
-    }, { $worst } N en el peor ({ $who })
+    }, { $worst } N en el peor caminante ({ $who })
 synth-shaft = { $low } … { $high } rad/s, oscilación { $ripple } %; motor: velocidad en vacío { $noload } rad/s, par { $rms } N·m RMS, máximo { $most } N·m
 synth-shaft-error = error de fuerza en el tiempo { $own } % de la media; { $before } % con la ley para velocidad constante{ $rounds ->
         [0] {""}
@@ -234,14 +234,14 @@ sweep-skipped = se omiten { $count } archivos de la carpeta que no son registros
 sweep-complete = { $file } ya está completa.
 sweep-stopped = detenido tras { $done } de { $rows } filas; las filas calculadas están guardadas; continúe con --resume
 sweep-counts = { $rows } filas en { $file }: { $built } construidas ({ $acceptable } aceptables, { $slow } no para alta velocidad), { $infeasible } no factibles, { $errors } errores
-sweep-estimate = { $rows } diseños tardan unos { $time } con { $threads } hilos ({ $core } horas de núcleo): { $rate } por segundo y núcleo, medidos con { $computed } de ellos
+sweep-estimate = { $rows } diseños tardan unos { $time } con { $threads } hilos ({ $core } horas de núcleo): { $rate } por segundo y núcleo, medidos con { $computed } diseños
 sweep-rate = { $designs } diseños en { $seconds } s, { $rate } por segundo
 sweep-first-error = Primer error, fila { $row }: { $fault }
 sweep-damaged = { $file } está dañado, así que sus filas se calculan de nuevo
 sweep-no-design = no se pueden aplicar tolerancias sin un diseño: { $why }
 sweep-samples = { $name }: { $count } muestras fabricadas; error de fuerza según diseño { $own } % de la media
 sweep-spread = dispersión media { $mean } %, desviación típica { $deviation } %, 5 % a 95 %: { $p5 } % … { $p95 } %, mediana { $median } %, máximo { $largest } %
-sweep-yield = rendimiento { $within } % de las levas está dentro de { $band } %
+sweep-yield = rendimiento { $within } % de las levas tiene un error de fuerza de { $band } % como máximo
 sweep-scatter-files = Las muestras están en { $file }, las figuras en { $page }.
 sweep-shard = escriba I/N, por ejemplo 3/16 para la tercera de dieciséis partes; las partes se cuentan desde 1 (o desde 0, y entonces 0/16 es 16/16)
 sweep-shard-done = { $folder }: { $rows } filas calculadas, { $left ->
@@ -254,7 +254,7 @@ sweep-progress = { $done }/{ $total } { $what }, { $rate }/s, faltan { $left }
 
 # sweep --tolerance: el informe.
 scatter-title = { $name }: dispersión de fabricación
-scatter-how = Cada muestra es la leva con errores aleatorios, distribuidos uniformemente en las tolerancias; su error de fuerza se calcula con estos errores.
+scatter-how = Cada muestra es la leva con errores aleatorios distribuidos uniformemente en las tolerancias. Se calcula el error de fuerza de cada muestra.
 scatter-heading = Error de fuerza de las muestras fabricadas
 scatter-picture = { $name }: error de fuerza de las muestras fabricadas
 scatter-axis = error de fuerza RMS, % de la media
@@ -324,7 +324,7 @@ cover-shape = forma
 cover-bound-worst = minimizado: el peor error; cota: cota inferior para este número de levas. otros: error de caminantes nuevos, por validación cruzada en cinco grupos
 cover-bound-mean = minimizado: la media cuadrática de los errores; cota: cota inferior para este número de levas. otros: error de caminantes nuevos, por validación cruzada en cinco grupos
 cover-bound-tail = minimizado: la media cuadrática de los errores de los peores caminantes; cota: cota inferior para este número de levas. otros: error de caminantes nuevos, por validación cruzada en cinco grupos
-cover-stopped = El límite de tiempo terminó la búsqueda antes de todos los números de levas. Fije un --time-limit mayor.
+cover-stopped = El límite de tiempo terminó la búsqueda antes de examinar todos los números de levas. Fije un --time-limit mayor.
 cover-cut = El límite de tiempo terminó la búsqueda; puede haber asignaciones mejores. Fije un --time-limit mayor.
 cover-error = error de fuerza RMS, % de la fuerza media
 cover-error-n = error de fuerza RMS, N
@@ -371,7 +371,7 @@ explain-none-passed-over = es la familia más sencilla de las probadas
 explain-family-degree = { $family } de grado { $degree }
 explain-constant-speed = velocidad constante
 explain-motor = la velocidad del eje con el motor
-explain-forecast = a partir de la inercia y la energía alterna se prevé una oscilación de { $ripple } % y un cambio de la fuerza de { $change } % de la media (RMS); se desprecia { $neglected } %{ $enough ->
+explain-forecast = la inercia y la energía alterna dan una oscilación estimada de { $ripple } % y un cambio de la fuerza de { $change } % de la media (RMS); se desprecia un cambio de hasta { $neglected } %{ $enough ->
         [true] {": "}basta la velocidad constante
        *[other] {""}
     }
@@ -413,8 +413,8 @@ inspect-outliers = { $count } { $count ->
         [one] punto difiere
        *[other] puntos difieren
     } en hasta { $most } µm de los demás (líneas { $lines }); se excluyen
-inspect-part = solo se midió una parte del perfil, sin puntos entre { $from } y { $to }; la fuerza y el movimiento de la leva fabricada no se conocen
-inspect-waves = { $waves } ondas por vuelta explican la desviación; el ruido es { $left } RMS
+inspect-part = solo se midió una parte del perfil: no hay puntos entre { $from } y { $to }, así que la fuerza y el movimiento de la leva fabricada no se conocen
+inspect-waves = { $waves } armónicos de la vuelta describen la desviación; el ruido es { $left } RMS
 inspect-rms = error de fuerza RMS: según diseño { $before }, fabricada { $after } { $unit }
 inspect-max = error de fuerza máximo: según diseño { $before }, fabricada { $after } { $unit }
 inspect-least-force = fuerza mínima: según diseño { $before }, fabricada { $after } { $unit }

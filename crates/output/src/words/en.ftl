@@ -183,7 +183,7 @@ report-lands = Contact at
 report-impact-speed = Speed
 report-impact-gap = Gap
 report-impulse = Impulse
-report-more-impacts = simulation.json contains { $count } more; the angles continue over successive turns.
+report-more-impacts = simulation.json contains { $count } more impacts. Angles are counted continuously over successive turns.
 report-next-model = Next more detailed model: { $difference }.
 
 # Axes and keys of the pictures.
@@ -224,7 +224,7 @@ figure-resonance-generated = generated walk
 figure-resonance-cam = cam at constant speed
 figure-resonance-strides = { $count } strides, repeated
 figure-resonance-programme = cam with speed programme
-figure-resonance-acceleration = RMS acceleration of 1 kg, m/s²
+figure-resonance-acceleration = RMS acceleration, 1 kg mode, m/s²
 figure-resonance-frequency = frequency of the mode, Hz
 resonance-severity = At resonance with { $damping } % damping this cam at constant speed is { $ratio } times as severe as the recorded walk.
 resonance-severity-few = At resonance with { $damping } % damping this cam at constant speed is at least { $ratio } times as severe as the recorded walk: { $strides } strides are recorded, and this damping needs { $needed }.
@@ -233,7 +233,7 @@ report-resonance-damping = damping ratio
 report-resonance-recorded = recorded walk, m/s²
 report-resonance-cam = this cam, m/s²
 report-resonance-ratio = ratio
-report-resonance-note = Highest RMS acceleration of a mode of 1 kg, tuned through 0.9 … 1.1 of the step frequency, in steady vibration. The recorded walk is { $strides } consecutive strides ({ $frequency } Hz), repeated without end; the cam turns at constant speed. The steps of a person vary, those of a cam do not; gaitcam walk computes a speed programme that varies them.
+report-resonance-note = Maximum RMS acceleration of a mode with a modal mass of 1 kg in steady vibration, for natural frequencies of 0.9 to 1.1 times the step frequency. The recorded walk is { $strides } consecutive strides ({ $frequency } Hz), repeated periodically; the cam turns at constant speed. The steps of a person vary, but those of a cam do not. gaitcam walk computes a speed programme that varies the steps of the cam.
 figure-speeds = the cam as manufactured at other speeds
 figure-cam-rpm = speed of the cam, rpm
 figure-cam-travel = speed of the cam, m/s
@@ -322,7 +322,7 @@ laws-use-constant-velocity = Use it between two laws with the same velocity, for
 laws-use-parabolic = Minimum peak acceleration of all laws for a given lift and time. Use it only at low speed, because the acceleration jumps at both ends and in the middle.
 laws-use-cubic = Simplest polynomial with rest at both ends; its acceleration is linear. Use it only at low speed, because the acceleration jumps at the ends.
 laws-use-simple-harmonic = Low peak values. Use it for a rise that is followed directly by an equal return. Next to a dwell the acceleration jumps.
-laws-use-double-harmonic = Rise from a dwell that is followed directly by its return. The start is at rest; at the top, rise and return have the same acceleration.
+laws-use-double-harmonic = Use it for a rise from a dwell that is followed directly by its return. The start is at rest; at the top, rise and return have the same acceleration.
 laws-use-cycloidal = Use it between dwells at moderate and high speed. The acceleration is continuous and the jerk is finite. The peak acceleration is high.
 laws-use-semiharmonic-start = Leads from rest to a constant velocity with a low peak acceleration. Its acceleration at the start is not zero, so it can follow a fall that ends with the same acceleration.
 laws-use-semiharmonic-end = Leads from a constant velocity to rest with a low peak acceleration. Its acceleration at the end is not zero, so a return must start with the same acceleration.
@@ -341,7 +341,7 @@ laws-use-gutman-1-3 = Sum of two harmonics. Its peak acceleration is lower than 
 laws-use-freudenstein-1-3 = Freudenstein 1-3 as commonly printed. Its ends are not at rest (v = −1/56), so it cannot join a dwell. Use freudenstein-1-3-at-rest instead.
 laws-use-freudenstein-1-3-at-rest = Sum of two harmonics with a low peak acceleration, at rest at both ends.
 laws-use-freudenstein-1-3-5 = Sum of three harmonics. Its peak acceleration is close to the minimum for three harmonics.
-laws-use-eccentric = Half a turn of an eccentric disc, the cheapest cam to manufacture. It must be followed by its own return.
+laws-use-eccentric = Half a turn of an eccentric disc, the cheapest cam to manufacture. The return must follow directly, on the other half of the disc.
 
 # The picture of a measured cam.
 figure-identification = identified machine

@@ -188,7 +188,7 @@ report-lands = Contacto en
 report-impact-speed = Velocidad
 report-impact-gap = Separación
 report-impulse = Impulso
-report-more-impacts = simulation.json contiene { $count } más; los ángulos continúan en las vueltas sucesivas.
+report-more-impacts = simulation.json contiene { $count } impactos más. Los ángulos se cuentan de forma continua en las vueltas sucesivas.
 report-next-model = Modelo siguiente, más detallado: { $difference }.
 
 # Ejes y leyendas de las imágenes.
@@ -229,7 +229,7 @@ figure-resonance-generated = marcha generada
 figure-resonance-cam = leva a velocidad constante
 figure-resonance-strides = { $count } zancadas, repetidas
 figure-resonance-programme = leva con programa
-figure-resonance-acceleration = aceleración eficaz de 1 kg, m/s²
+figure-resonance-acceleration = aceleración RMS, modo de 1 kg, m/s²
 figure-resonance-frequency = frecuencia del modo, Hz
 resonance-severity = En resonancia con { $damping } % de amortiguamiento, esta leva a velocidad constante es { $ratio } veces tan severa como la marcha registrada.
 resonance-severity-few = En resonancia con { $damping } % de amortiguamiento, esta leva a velocidad constante es al menos { $ratio } veces tan severa como la marcha registrada: hay { $strides } zancadas registradas y este amortiguamiento requiere { $needed }.
@@ -238,7 +238,7 @@ report-resonance-damping = amortiguamiento
 report-resonance-recorded = marcha registrada, m/s²
 report-resonance-cam = esta leva, m/s²
 report-resonance-ratio = cociente
-report-resonance-note = Máxima aceleración eficaz de un modo de 1 kg, sintonizado de 0,9 a 1,1 de la frecuencia de paso, en vibración estacionaria. La marcha registrada son { $strides } zancadas consecutivas ({ $frequency } Hz), repetidas sin fin; la leva gira a velocidad constante. Una persona varía de un paso a otro y una leva no: gaitcam walk calcula un programa de velocidad que sí varía.
+report-resonance-note = Máxima aceleración RMS de un modo con una masa modal de 1 kg en vibración estacionaria, para frecuencias naturales de 0,9 a 1,1 veces la frecuencia de paso. La marcha registrada son { $strides } zancadas consecutivas ({ $frequency } Hz), repetidas periódicamente; la leva gira a velocidad constante. Los pasos de una persona varían, pero los de una leva no. gaitcam walk calcula un programa de velocidad que varía los pasos de la leva.
 figure-speeds = la leva fabricada, a otras velocidades
 figure-cam-rpm = velocidad de la leva, rpm
 figure-cam-travel = velocidad de la leva, m/s
@@ -327,7 +327,7 @@ laws-use-constant-velocity = Úsela entre dos leyes con la misma velocidad, por 
 laws-use-parabolic = Aceleración de pico mínima de todas las leyes para una elevación y un tiempo dados. Úsela solo a baja velocidad, porque la aceleración salta en los extremos y en el centro.
 laws-use-cubic = El polinomio más simple con reposo en ambos extremos; su aceleración es lineal. Úselo solo a baja velocidad, porque la aceleración salta en los extremos.
 laws-use-simple-harmonic = Valores de pico bajos. Úsela para una subida a la que sigue directamente un retorno igual. Junto a un detenimiento la aceleración salta.
-laws-use-double-harmonic = Subida desde un detenimiento a la que sigue directamente su retorno. El inicio está en reposo; arriba, subida y retorno tienen la misma aceleración.
+laws-use-double-harmonic = Úsela para una subida desde un detenimiento a la que sigue directamente su retorno. El inicio está en reposo; arriba, subida y retorno tienen la misma aceleración.
 laws-use-cycloidal = Úsela entre detenimientos a velocidad media y alta. La aceleración es continua y la sobreaceleración finita. La aceleración de pico es alta.
 laws-use-semiharmonic-start = Lleva del reposo a una velocidad constante con una aceleración de pico baja. Su aceleración inicial no es cero, de modo que puede seguir a una bajada que termine con la misma aceleración.
 laws-use-semiharmonic-end = Lleva de una velocidad constante al reposo con una aceleración de pico baja. Su aceleración final no es cero, de modo que un retorno debe empezar con la misma aceleración.
@@ -346,7 +346,7 @@ laws-use-gutman-1-3 = Suma de dos armónicos. Su aceleración de pico es menor q
 laws-use-freudenstein-1-3 = Freudenstein 1-3 como suele imprimirse. Sus extremos no están en reposo (v = −1/56), así que no enlaza con un detenimiento. Use freudenstein-1-3-at-rest.
 laws-use-freudenstein-1-3-at-rest = Suma de dos armónicos con poca aceleración de pico, en reposo en ambos extremos.
 laws-use-freudenstein-1-3-5 = Suma de tres armónicos. Su aceleración de pico es casi la mínima con tres armónicos.
-laws-use-eccentric = Media vuelta de un disco excéntrico, la leva más barata de fabricar. Debe seguirle su propio retorno.
+laws-use-eccentric = Media vuelta de un disco excéntrico, la leva más barata de fabricar. El retorno debe seguir directamente, en la otra mitad del disco.
 
 # La imagen de una leva medida.
 figure-identification = máquina identificada

@@ -61,7 +61,7 @@ class Compare(Pages):
                 fits = "e => e.getBoundingClientRect().right <= document.querySelector('#compare').getBoundingClientRect().right"
                 self.assertTrue(page.page.locator("#grid table").evaluate(fits))
                 self.assertEqual(page.page.locator("#grid td.here").count(), 1)
-                self.assertIn("present", page.page.get_attribute("#grid td.here button", "aria-label"))
+                self.assertIn("current", page.page.get_attribute("#grid td.here button", "aria-label"))
                 missing = page.page.eval_on_selector_all("#grid button", "all => all.filter((e) => e.textContent === '–').map((e) => e.title)")
                 self.assertTrue(all(missing), missing)
                 # The contrast of text and background of every cell is sufficient in both themes.

@@ -49,11 +49,11 @@ fn a_wall_about_the_bore_that_is_thinner_than_a_hub_is_noted() {
     // The base circle of 7 mm leaves 1 mm around the bore of 12 mm.
     let thin = notes("cam.base_radius=7 mm");
     assert!(
-        thin.contains("wall between shaft hole") && thin.contains("1 mm") && thin.contains("3 mm"),
+        thin.contains("wall between bore") && thin.contains("1 mm") && thin.contains("3 mm"),
         "{thin}"
     );
     let thick = notes("cam.bore=12 mm");
-    assert!(!thick.contains("wall between shaft hole"), "{thick}");
+    assert!(!thick.contains("wall between bore"), "{thick}");
 }
 
 #[test]

@@ -365,7 +365,7 @@ fn a_negative_number_after_a_flag_is_its_value() {
         (&["synth", "--points", "-3"], "--points: invalid value -3"),
         (
             &["synth", "--set", "-3"],
-            "--set: \"-3\" is not a key, = and a value",
+            "--set: \"-3\" does not have the form KEY=VALUE",
         ),
         (
             &["sweep", "footbridge", "--jobs", "-1"],

@@ -123,7 +123,7 @@ fn faults_of_a_walk_are_named_with_what_would_do() {
         ),
         (
             vec!["ecam", "out", "--dialect", "csv", "--strides", "60"],
-            "60 strides are requested, and 48",
+            "60 strides are requested, but only 48",
         ),
     ] {
         let answer = run_in(at, &arguments);

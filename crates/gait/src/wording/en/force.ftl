@@ -35,7 +35,7 @@ force-both-feet-only = { $model } gives the total force of both feet, not the fo
     .help = use feet = "both", or a single-foot model: li-2010, iso-22675
 force-clock-implausible = with the time column in milliseconds a stride takes { $period }, which is implausible for walking
     .help = the column may count samples: give the sampling rate (option rate)
-force-running = the recording of { $duration } shows running (short contacts with flight between them)
+force-running = the recording of { $duration } shows running (short contacts with flight phases between them)
     .help = use kind = "running" for a running cycle, or give a recording of walking
 force-not-walking = the recording of { $duration } does not show walking: { $movement ->
         [standing] a person stands; the load hardly changes
@@ -115,7 +115,7 @@ note-cross-talk-removed = while { $column } is unloaded, it shows { $share } of 
 note-column-repeats = { $column } repeats { $original } (raw and filtered, or a copy) and was excluded
 note-drift-removed = the unloaded reading of { $column } drifts by { $rise } per second; the drift was removed
 note-stride-varies = the stride time is { $period } ± { $spread }, which is typical of several speeds or unsteady walking; give a recording at one speed
-note-stride-from-one = the stride time of { $period } is from one step or stride, with an uncertainty of { $error }; the stroke of a cam is proportional to its square, with an uncertainty of { $stroke }
+note-stride-from-one = the stride time of { $period } is measured from only one step or stride and has an uncertainty of { $error }; the stroke of a cam is proportional to its square and has an uncertainty of { $stroke }
 note-one-foot-for-both = { $stances ->
         [one] one stance of one foot is
        *[other] { $stances } stances of one foot are averaged and
@@ -146,7 +146,7 @@ note-few-alike = only { $used } of { $stances } contacts of a steady walk have a
 note-stances-differ = the stances differ by { $share }; at most { $most } is expected (share of the body weight, or of the mean impulse of both feet). Possible causes: partial contacts, cross-talk, two feet on one plate, or feet that differ. Give the mass (option mass), or name the columns of whole stances (option force)
 note-total-column = the column is used as the total force of both feet
 note-plates-summed = the feet move from plate to plate, so the mean cycle is computed from the sum of { $plates } plates, which always carry the walker
-note-several-masses = the recordings show walkers of { $low } to { $high }: forces are averaged in body weights and scaled to { $mean }
+note-several-masses = the recordings show walkers with masses of { $low } to { $high }: forces are averaged in body weights and scaled to { $mean }
 note-counts-scaled = the readings are converter counts without calibration; they are scaled so that the mean force is the weight of { $mass }
 
 cycle-whole-strides = { $strides ->
@@ -195,11 +195,11 @@ left-out-clipped = { open-clipped }
 left-out-other-kind = { $movement ->
         [running] { kind-running }
        *[walking] { kind-walking }
-    }, and most recordings are of { $most ->
+    }, but most recordings show { $most ->
         [running] { kind-running }
        *[walking] { kind-walking }
     }
-left-out-other-speed = different speed: its stride takes { $period }, but most take { $low } to { $high }
+left-out-other-speed = different speed: the stride takes { $period }, but { $low } to { $high } in most recordings
 left-out-mean-already = already a mean cycle, not a recording
 left-out-no-cycle = no cycle
 

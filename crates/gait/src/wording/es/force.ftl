@@ -35,7 +35,7 @@ force-both-feet-only = { $model } da la fuerza total de ambos pies, no la de un 
     .help = use feet = "both" o un modelo de un solo pie: li-2010, iso-22675
 force-clock-implausible = con la columna de tiempo en milisegundos una zancada dura { $period }, lo que no es verosímil al caminar
     .help = la columna puede contar muestras: indique la frecuencia de muestreo (opción rate)
-force-running = el registro de { $duration } muestra carrera (contactos cortos con vuelo entre ellos)
+force-running = el registro de { $duration } muestra carrera (contactos cortos con fases de vuelo entre ellos)
     .help = use kind = "running" para un ciclo de carrera, o dé un registro de marcha
 force-not-walking = el registro de { $duration } no muestra marcha: { $movement ->
         [standing] una persona está de pie; la carga apenas cambia
@@ -115,7 +115,7 @@ note-cross-talk-removed = mientras { $column } está sin carga, muestra un { $sh
 note-column-repeats = { $column } repite { $original } (sin filtrar y filtrada, o una copia) y se ha omitido
 note-drift-removed = la lectura sin carga de { $column } deriva { $rise } por segundo; la deriva se ha eliminado
 note-stride-varies = la duración de la zancada es { $period } ± { $spread }, propia de varias velocidades o de una marcha no estable; indique un registro a una sola velocidad
-note-stride-from-one = la duración de la zancada, { $period }, procede de un solo paso o zancada, con una incertidumbre de { $error }; la carrera de una leva es proporcional a su cuadrado, con una incertidumbre de { $stroke }
+note-stride-from-one = la duración de la zancada, { $period }, se mide en un solo paso o zancada y tiene una incertidumbre de { $error }; la carrera de una leva es proporcional a su cuadrado y tiene una incertidumbre de { $stroke }
 note-one-foot-for-both = { $stances ->
         [one] un apoyo de un pie se repite
        *[other] { $stances } apoyos de un pie se promedian y se repiten
@@ -146,7 +146,7 @@ note-few-alike = solo { $used } de { $stances } contactos de una marcha regular 
 note-stances-differ = los apoyos difieren en { $share }; se espera como máximo { $most } (parte del peso corporal, o del impulso medio de ambos pies). Causas posibles: contactos parciales, diafonía, dos pies en una plataforma o pies distintos. Indique la masa (opción mass) o las columnas de apoyos enteros (opción force)
 note-total-column = la columna se usa como la fuerza total de ambos pies
 note-plates-summed = los pies pasan de una plataforma a otra, así que el ciclo medio se calcula con la suma de { $plates } plataformas, que siempre soportan a la persona
-note-several-masses = los registros muestran personas de { $low } a { $high }: las fuerzas se promedian en pesos corporales y se escalan a { $mean }
+note-several-masses = los registros muestran personas con masas de { $low } a { $high }: las fuerzas se promedian en pesos corporales y se escalan a { $mean }
 note-counts-scaled = las lecturas son cuentas del convertidor sin calibración; se escalan de modo que la fuerza media sea el peso de { $mass }
 
 cycle-whole-strides = { $strides ->
@@ -201,11 +201,11 @@ left-out-clipped = { open-clipped }
 left-out-other-kind = { $movement ->
         [running] { kind-running }
        *[walking] { kind-walking }
-    }, y la mayoría de los registros son de { $most ->
+    }, pero la mayoría de los registros son de { $most ->
         [running] { kind-running }
        *[walking] { kind-walking }
     }
-left-out-other-speed = otra velocidad: zancada de { $period }, y la mayoría dura de { $low } a { $high }
+left-out-other-speed = otra velocidad: la zancada dura { $period }, pero de { $low } a { $high } en la mayoría de los registros
 left-out-mean-already = ya es un ciclo medio, no un registro
 left-out-no-cycle = sin ciclo
 
