@@ -162,7 +162,10 @@ fn designs_in_spanish_hold_no_english_word_and_no_decimal_point() {
             "--out",
         ];
         let shown = said(&[&automatic[..], &[&path("auto")]].concat(), 0);
-        assert!(shown.contains("la solución inversa por armónicos"), "{shown}");
+        assert!(
+            shown.contains("la solución inversa por armónicos"),
+            "{shown}"
+        );
         assert!(!shown.contains("inverse"), "{shown}");
     }
     let out = path("none");
