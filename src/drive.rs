@@ -31,7 +31,8 @@ pub enum DriveKind {
     MovingAxis,
     /// Fixed axis: the cam turns in a fixed bearing and lifts a follower with spring, preload, damping and mass.
     FixedAxis,
-    /// Hydraulic drive: the cam displaces a piston: F = (P/V)·A²·s (Vargas and León 2024, eq. 3).
+    /// Hydraulic drive: the cam displaces a piston of area A. F = (P/V)·A²·s, where P/V is the pressure per displaced volume, Pa/m³ (Vargas
+    /// and León 2024, eq. 3).
     Hydraulic,
 }
 

@@ -182,7 +182,8 @@ impl BarrelGroove {
         (angle(low), angle(high))
     }
 
-    /// Maximum |pressure angle| at `radius` on the axis of the roller, rad, where the follower rises and where it falls.
+    /// Maximum absolute pressure angles, rad, during the rise and during the fall of the follower. They apply to the point on the roller
+    /// axis at the distance `radius` from the cam axis.
     pub fn pressure_angles_by_motion(&self, radius: f64) -> [Extreme; 2] {
         let (low, high) = self.pressure_angle_extremes(radius);
         [high, low.map(|angle| -angle)].map(|side| side.map(|angle| angle.max(0.0)))

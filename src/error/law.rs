@@ -249,7 +249,8 @@ impl SegmentName {
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum JoinCure {
-    /// Both segments move in the same direction. With another length of one segment, the velocities are equal.
+    /// Both segments move in the same direction. If the length of one segment is changed to `length`, the velocities at the joint are
+    /// equal.
     LetCover {
         /// The segment to change.
         segment: SegmentName,

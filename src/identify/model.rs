@@ -204,7 +204,7 @@ pub(super) fn terms(design: &Design, scene: &Scene) -> Vec<Term> {
         .collect()
 }
 
-/// A machine with the law of its design, in a given motion of the cam.
+/// Model of a designed machine for a given motion of the cam (`clock`).
 pub(super) struct Machine<'a> {
     pub design: &'a Design,
     pub clock: &'a Clock,
@@ -272,7 +272,8 @@ impl<'a> Machine<'a> {
         (0..ANGLES).map(mean).collect()
     }
 
-    /// Change of the force per unit compliance of the train, for a mass whose motion is s − F/k₁.
+    /// Derivative of the force with respect to the compliance 1/k₁ of the follower train, N²/m, at the cam angles. The mass follows s −
+    /// F/k₁, where k₁ is the stiffness of the train.
     fn compliance(&self) -> Vec<f64> {
         let drive = &self.design.problem.drive;
         let own: Vec<f64> = self

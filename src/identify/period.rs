@@ -95,7 +95,7 @@ fn check_gaps(log: &Log, time: &[f64], cycle: f64) -> Result<()> {
     }))
 }
 
-/// Means of a force in equal cells of time. A cell without a sample takes the value of the previous cell.
+/// Mean force in time intervals of equal length `step`, s. An interval without a sample has the value of the previous interval.
 fn cells(time: &[f64], force: &[f64], step: f64) -> Vec<f64> {
     let count = ((time[time.len() - 1] - time[0]) / step) as usize + 1;
     let mut sums = vec![(0.0, 0.0); count];

@@ -52,7 +52,7 @@ impl Scaling {
         target
     }
 
-    /// Scaling for a force F that gives the same target as `self` for the force `times` · F.
+    /// Scaling that applies the factor `times` first and then `self`. Its target for a force F is the target of `self` for `times` · F.
     pub fn after(self, times: f64) -> Scaling {
         Scaling {
             factor: times * self.factor,
@@ -97,11 +97,12 @@ fn scaling(drive: &Drive, how: ForceScale, mean: f64) -> Result<Scaling> {
     Ok(Scaling { factor, shift })
 }
 
-/// Drive of the machine with all numbers.
+/// Drive of the machine with all values set. A missing speed follows from the period of the force. A missing mass on a moving axis follows
+/// from the mean force.
 ///
 /// # Errors
 ///
-/// The speed or the mass is not given, and no force determines it. The mean force is not positive on a moving axis.
+/// The speed, or the mass on a moving axis, is missing and there is no force. This mass is missing and the mean force is not positive.
 fn drive(spec: &DriveSpec, cam: &CamSpec, force: Option<MeanForce>) -> Result<Drive> {
     let speed = match (spec.speed, force) {
         (Some(w), _) => w,

@@ -54,7 +54,7 @@ impl Target {
         }
     }
 
-    /// Factor of the target and its cycle, if the target is a multiple of the cycle; `None` if a constant is added.
+    /// Factor and force cycle whose product is the target; `None` if a constant is added to the product.
     pub(crate) fn multiple(&self) -> Option<(f64, &ForceCycle)> {
         let Scaling { factor, shift } = self.scaling;
         (shift == 0.0).then_some((factor, &*self.cycle))

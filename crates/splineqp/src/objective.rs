@@ -271,7 +271,8 @@ pub fn pointwise(f: impl Fn(f64) -> f64) -> impl Fn(f64, f64, &[(f64, f64)], &mu
     }
 }
 
-/// Local functions of one span at the quadrature nodes. Equal spans have the same table.
+/// Values, at the quadrature nodes, of the basis functions that are nonzero on one span, and their products. The table is used again if the
+/// next span has the same width and the same basis matrix.
 #[derive(Default)]
 struct Table {
     matrix: Option<usize>,

@@ -77,8 +77,8 @@ settings! {
         progress: f64 = 0.9,
         /// Number of iterations without progress after which the method ends.
         patience: usize = 4,
-        /// Squared length of the part of a row outside the span of the active rows, relative to the squared length of the row, below which
-        /// the row counts as dependent.
+        /// Threshold for linear dependence. A row counts as dependent if the squared length of its component outside the span of the active
+        /// rows, divided by the squared length of the row, is below this value.
         dependent: f64 = 1e-13,
         /// Distance between a new row and an old row of the same limit, relative to the piece, below which the new row replaces the old one.
         coincident: f64 = 1e-5,

@@ -11,9 +11,11 @@ pub const SAME: f64 = 0.02;
 pub const ALIKE: (f64, f64) = (1.02, 1e-9);
 /// Number of initial angles of the search.
 const STARTS: usize = 72;
-/// Number of points, number of profile samples and maximum number of iterations in the search.
+/// Approximate maximum number of measured points in the search.
 const COARSE_POINTS: usize = 90;
+/// Number of profile samples in the search.
 const COARSE_PROFILE: usize = 360;
+/// Maximum number of iterations from each initial angle.
 const COARSE_ROUNDS: usize = 12;
 /// Maximum number of iterations of the fit with exact foot points.
 const ROUNDS: usize = 40;

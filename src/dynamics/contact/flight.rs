@@ -48,7 +48,8 @@ impl Flight {
         libm::hypot(self.curvature, third / self.kappa.sqrt())
     }
 
-    /// The functions S, S′ and ∫S at the angle `t` since the start, rad.
+    /// S, S′ and ∫S at the angle `t` since the start, rad. S solves y″ + γ y′ + κ y = 0 with S(0) = 0 and S′(0) = 1; ∫S is its integral
+    /// from 0.
     fn fundamental(&self, t: f64) -> (f64, f64, f64) {
         if self.gamma == 0.0 && self.kappa == 0.0 {
             return (t, 1.0, 0.5 * t * t);

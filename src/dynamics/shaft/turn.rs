@@ -53,7 +53,8 @@ pub struct Node {
 }
 
 impl Node {
-    /// Load for a motion of the follower, with the lever arms of the contact force and the acceleration of the floor, m/s².
+    /// Coefficients of the load for the follower motion `at`. `arms`: torque per unit of positive and of negative contact force, m.
+    /// `floor`: acceleration of the floor, m/s².
     pub fn new(drive: &Drive, at: Svaj, arms: [f64; 2], floor: f64) -> Node {
         Node {
             arms,
@@ -186,7 +187,8 @@ impl Load {
         (mean, swings.collect())
     }
 
-    /// Alternating work of the load at a constant speed, J: range of the work of the deviation from the mean torque.
+    /// Maximum fluctuation of energy of the load at a constant speed, J: maximum minus minimum of the integral of (torque − mean torque)
+    /// over the angle.
     pub fn swing(&self, speed: f64) -> f64 {
         let works = self.at_constant_speed(speed).1.into_iter();
         let (low, high) = works.fold((0.0_f64, 0.0_f64), |(l, h), x| (l.min(x), h.max(x)));

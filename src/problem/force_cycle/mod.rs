@@ -67,7 +67,7 @@ impl Projection {
 }
 
 impl ForceCycle {
-    /// Creates a cycle from a curve with its samples.
+    /// Creates a cycle from a force curve. The cycle uses the samples of this curve.
     pub fn new(curve: impl Into<Arc<ForceCurve>>) -> ForceCycle {
         let curve = curve.into();
         let mean = MeanForce::of(&curve);

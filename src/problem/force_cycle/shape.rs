@@ -25,7 +25,7 @@ pub struct Shape {
     pub svaj: [Range; 4],
     /// Minimum and maximum of the alternating force, N.
     pub force_range: Range,
-    /// Minimum of s + a.
+    /// Minimum of s + a, m.
     pub least_bent: f64,
     /// Minimum and maximum of the torque F·v, N·m, where F includes the mean force.
     pub torque_range: Range,

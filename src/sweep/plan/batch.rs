@@ -46,7 +46,7 @@ impl Column {
 pub struct Batch {
     /// Index of the base scene of each row.
     pub scene: Vec<u32>,
-    /// One column for each varied key of the kernel, in the same order. Each column has the length of `scene`.
+    /// Values of the varied keys: one column for each key, in the order of the keys. Each column has as many entries as `scene`.
     pub columns: Vec<Column>,
 }
 

@@ -19,7 +19,7 @@ const DEGREE: usize = 5;
 const NODES: usize = DEGREE + 1;
 /// Minimum length of a part, relative to an equal part.
 const SHORTEST: f64 = 0.3;
-/// Number of equally spaced angles at which the state contains the position in the period (the time as a phase).
+/// Number of equally spaced cam angles at which the state vector contains the time, as a phase of the period, rad.
 const ANGLES: usize = 240;
 
 /// Layout of the state vector. It contains the added force at the nodes, the added time derivatives that are limited, the speed, and the

@@ -59,7 +59,8 @@ struct Iterate {
 }
 
 impl Iterate {
-    /// The iterate with its cam checked for the machine motion in `state`.
+    /// Replaces the problem of the iterate by the problem for the machine motion in `state`, and checks the cam of the iterate for this
+    /// problem.
     ///
     /// # Errors
     ///

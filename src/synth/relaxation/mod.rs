@@ -291,8 +291,8 @@ impl<'a> Relaxing<'a> {
         passing(&number.with(self.problem, value), self.search)
     }
 
-    /// The value of the convex program, or a slightly larger change, for which the complete design passes. `None` if a small margin is not
-    /// sufficient.
+    /// Value of `number` near `hint` for which the complete design passes. `hint` is the value that is sufficient in the convex program.
+    /// `None` if a small margin beyond it is not sufficient.
     fn near(&self, number: Relaxable, hint: f64) -> Option<f64> {
         // At the edge of feasibility, a program is hard to solve: if small margins are not sufficient, the value is rejected.
         let [none, less, most, _] = ROOMS;

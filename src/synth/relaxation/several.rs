@@ -39,8 +39,8 @@ impl Relaxing<'_> {
         self.together(limits).unwrap_or_default()
     }
 
-    /// Changes if some limits are infeasible even without the other limits. First these limits are relaxed to values at which each is feasible
-    /// alone. If this is not sufficient, these limits, or all limits, are relaxed further by a common relative change.
+    /// Suggested changes for limits that are infeasible even without the other limits. First, each of these limits is relaxed to a value at
+    /// which it is feasible alone. If this is not sufficient, these limits, or all limits, are relaxed further by a common relative change.
     fn with_those_out_of_reach(
         &self,
         numbers: &Values,

@@ -31,7 +31,7 @@ pub struct OnShaft {
     pub shaft: Shaft,
     /// Force error over time, with the varying speed of the shaft; `None` without a target.
     pub force_time: Option<InTime>,
-    /// Force error over time of the law for constant speed, on the shaft driven by this motor; `None` without a target.
+    /// Force error over time if the law designed for constant speed runs on the shaft with this motor; `None` without a target.
     pub at_constant_speed: Option<InTime>,
     /// Number of iterations of design and simulation, in addition to the design for constant speed.
     pub rounds: usize,

@@ -16,7 +16,7 @@ key-limits-jerk = Maximum jerk |d³s/dt³|.
 name-jerk = jerk
 label-limits-jerk = Jerk
 
-key-limits-force_min = Minimum contact force. Default: 0 if only force maintains the contact. "none" switches the limit off.
+key-limits-force_min = Minimum contact force. Default: 0 if the contact is force-closed. "none": the contact force is not checked.
 name-force-min = force_min
 label-limits-force_min = Minimum force
 

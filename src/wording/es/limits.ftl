@@ -16,7 +16,7 @@ key-limits-jerk = Sobreaceleración máxima |d³s/dt³|.
 name-jerk = sobreaceleración
 label-limits-jerk = Sobreaceleración
 
-key-limits-force_min = Fuerza de contacto mínima. Por defecto: 0 si solo la fuerza mantiene el contacto. "none" desactiva el límite.
+key-limits-force_min = Fuerza de contacto mínima. Por defecto: 0 si el contacto se mantiene por fuerza. "none": la fuerza de contacto no se comprueba.
 name-force-min = fuerza mínima
 label-limits-force_min = Fuerza mínima
 

@@ -59,5 +59,5 @@ log-no-turn = solo se puede identificar una leva que gira hacia delante una vez 
     .help = dé una escena con una ley cerrada de una vuelta y drive.speed positiva
 log-no-target = el diseño no tiene fuerza objetivo, así que la leva siguiente no puede reducir un error de fuerza
     .help = dé una escena con [gait]
-log-noise = la diferencia entre el registro y el diseño, { $residual } (RMS), es ruido; el ruido del ciclo medio por sí solo es { $noise } (RMS)
+log-noise = la diferencia entre el registro y el diseño, { $residual } (RMS), no se distingue del ruido del ciclo medio, { $noise } (RMS)
     .help = una leva nueva no reduciría el error; registre más ciclos para detectar errores menores

@@ -18,7 +18,8 @@ use crate::statistics::mean;
 /// Maximum difference between the impulses of the two stances, as a fraction of their sum.
 const UNEVEN: f64 = 0.05;
 
-/// Minimum total force while the force of both feet is recorded, as a fraction of the mean total force.
+/// Fraction of the mean total force. If the total force falls below this fraction, the plates are assumed not to record both feet all the
+/// time.
 const LOADED: f64 = 0.3;
 /// Maximum fraction of a stride by which a recording may be shorter than the stride.
 const LACKING: f64 = 0.02;

@@ -205,7 +205,8 @@ pub enum Note {
     LeftOpen { question: OpenQuestion },
     /// Less than two thirds of the stances of a steady walk are similar. The contacts may be partial contacts, or contacts of both feet.
     FewAlike { used: usize, stances: usize },
-    /// The stances, or the impulses of the two feet, differ more than for whole contacts on the plates.
+    /// The difference between stances, or between the impulses of the two feet, is larger than expected if each foot is completely on one
+    /// plate.
     StancesDiffer { share: Quantity, most: Quantity },
     /// The mean cycle was computed from a column that contains the total of both feet.
     TotalColumn,

@@ -12,7 +12,7 @@ use gaitcam::synth::Design;
 const MM: f64 = 1000.0;
 /// Number of steps per turn. The script interpolates linearly between the steps.
 pub const STEPS: usize = 480;
-/// Maximum number of turns per period of the simulation that are shown.
+/// Maximum number of turns that are shown. If the period of the simulated motion is longer, only this number is shown.
 const MOST_TURNS: usize = 4;
 
 /// Data for the script. Each list has one value per step and one value at the end.

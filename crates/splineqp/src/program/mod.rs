@@ -196,7 +196,8 @@ impl<N: Names> Program<N> {
         self.reference = Some(self.basis.row(angle, &[1.0, 0.0, 0.0, 0.0]));
     }
 
-    /// Row of the value from which a limit measures the law; `None` if the limit measures it from zero.
+    /// Coefficients of the value of the law at the reference angle, if the limit is relative to this value; `None` if the limit is relative
+    /// to zero.
     pub fn reference_of(&self, limit: &Limit<N>) -> Option<&Entries> {
         self.reference.as_ref().filter(|_| limit.from_reference)
     }

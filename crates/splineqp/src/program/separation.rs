@@ -80,7 +80,8 @@ impl<N: Names> Program<N> {
         extra[PEAK] + raised
     }
 
-    /// Calls a function for each local maximum of the left side of a limit above the level of this limit, limit by limit.
+    /// Calls `visit` for each local maximum of the left side of a limit that is above `level` for this limit. The limits are processed in
+    /// order.
     pub fn each_peak_above(
         &self,
         x: &[f64],

@@ -4,7 +4,8 @@ use crate::synth::qp::{Program, Solution, apply};
 
 /// Relative violation of a limit above which a result does not count as a solution.
 const BROKEN: f64 = 1e-4;
-/// Margin of h, relative to w, with which the check of the finished cam passes.
+/// Relative clearance h/w of the non-convex limits with which the check of the finished cam passes. h is the value of a limit and w its
+/// scale (see `Slack`).
 pub const ROOM: f64 = 1e-9;
 
 /// Solution of a program; `None` without a solution or if a limit is violated.

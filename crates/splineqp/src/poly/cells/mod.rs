@@ -31,8 +31,8 @@ pub struct Cells {
 type Ends = [f64; 4];
 
 impl Cells {
-    /// Creates the function from the values, and slopes per length of a cell, at the ends of its cells. The first cell begins at 0. The
-    /// number of values is the number of cells plus one, and the last value equals the first one.
+    /// Creates the function from the values and slopes at the ends of its cells. A slope is the derivative multiplied by the length of one
+    /// cell. The first cell begins at 0. The last value equals the first one, so there is one value more than cells.
     pub fn new(values: Vec<f64>, slopes: Vec<f64>, length: f64) -> Self {
         Cells {
             values,

@@ -9,9 +9,11 @@ use crate::recording::Recording;
 /// Minimum number of numbered columns that are sensors; two or four columns may be plates.
 const FEWEST: usize = 6;
 
-/// Whether the columns are sensors: their names are numbers after a time or a frame, and no column name denotes a force.
+/// Whether the columns are sensors: there is a column of times or frames, at least `FEWEST` column names are numbers, and no name denotes a
+/// force.
 ///
-/// A force column that the user named is read, unless a line above the table (lower case) shows that the values are pressures.
+/// The result is `false` if the user named a force column, unless no unit is given and a line above the table mentions a pressure. `head`
+/// contains these lines in lower case.
 pub(super) fn are_in(file: &TextFile, names: &[String], head: &[String]) -> bool {
     let roles: Vec<Role> = names.iter().map(|n| role(n)).collect();
     let has = |is: fn(&Role) -> bool| roles.iter().any(is);
