@@ -270,8 +270,7 @@ pub struct Outcome {
     pub force_time: Option<InTime>,
     /// Landings of the whole run, including the initial turns.
     pub impacts: Vec<Impact>,
-    /// Maximum line pressure without impacts, if the materials are given. It is an exact extreme or the maximum over the rows, as described
-    /// at [`Loads`].
+    /// Maximum line pressure without impacts, if the materials are given. It is an exact extreme or the maximum over the rows, like `loads`.
     pub hertz: Option<Pressure>,
     /// Differences from the next finer model, if the model was selected automatically.
     pub next: Option<Difference>,
