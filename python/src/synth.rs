@@ -74,11 +74,6 @@ pub(crate) fn asked(
             let given = Gait::given();
             let gait = scene.input.scene.gait.as_ref().unwrap_or(&given);
             forces.retain(|force| !gait.leave_out.contains(&force.name));
-            if forces.is_empty() {
-                return Err(PyTypeError::new_err(
-                    "forces is empty: give at least one force",
-                ));
-            }
             let walker = |force: &PyRef<'_, Force>| Walker::new(&force.name, force.curve.clone());
             check_open(gait, forces.iter().map(walker)).raise(py)?;
             Some(Force::of_walkers(py, &forces)?)

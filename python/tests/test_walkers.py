@@ -119,7 +119,7 @@ def test_a_force_in_another_unit_is_named(scene):
     other = walk(1.7, 0.3, "in kN", 0.7)
     with pytest.raises(gaitcam.InputError, match="in kN"):
         gaitcam.synth(scene, forces=[*FORCES, other])
-    with pytest.raises(TypeError, match="forces is empty"):
+    with pytest.raises(gaitcam.InputError, match="walker"):
         gaitcam.synth(scene, forces=[])
 
 

@@ -63,7 +63,7 @@ impl<'a> PopulationReader<'a> {
         };
         let known = names
             .iter()
-            .filter(|n| !n.contains('/') && !n.contains(':'));
+            .filter(|n| !n.contains(std::path::is_separator) && !n.contains(':'));
         let fault = FileError::NoSuchWalker {
             name: name.clone(),
             nearest: nearest(name, known.clone().map(String::as_str)).map(str::to_string),
