@@ -14,7 +14,7 @@ use super::Language;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LengthUnit {
-    /// Millimetres, the default.
+    /// Lengths are displayed in millimetres. This is the default.
     Millimetre,
     /// Inches, also in units that contain a length, such as in/s.
     Inch,

@@ -19,6 +19,7 @@ pub(super) struct Pressures {
     /// Pressure at each point, Pa; NaN without contact.
     values: Vec<f64>,
     low: f64,
+    /// Maximum of the check, Pa, or of the points if it is infinite.
     high: f64,
 }
 
@@ -26,11 +27,12 @@ impl Pressures {
     /// Pressures at the given cam angles; `None` if the scene does not limit the pressure, or if no value is finite.
     pub(super) fn of(design: &Design, angles: impl Iterator<Item = f64>) -> Option<Pressures> {
         let checks = &design.checks;
-        checks.iter().find(|c| c.name == LimitKind::HertzPressure)?;
+        let check = checks.iter().find(|c| c.name == LimitKind::HertzPressure)?;
         let values: Vec<f64> = angles.map(|a| design.contact_pressure_at(a)).collect();
         let finite = || values.iter().copied().filter(|p| p.is_finite());
         let low = finite().reduce(f64::min)?;
-        let high = finite().fold(low, f64::max);
+        let extreme = Some(check.worst).filter(|p| p.is_finite());
+        let high = finite().chain(extreme).fold(low, f64::max);
         Some(Pressures { values, low, high })
     }
 
