@@ -111,7 +111,10 @@ fn what_repeats_is_corrected_and_noise_is_refused() {
 
     let refused = gaitcam(&["recut", &design, &path("quiet.csv"), "--out", &path("none")]);
     assert_eq!(refused.status.code(), Some(3), "{}", stderr(&refused));
-    assert!(stderr(&refused).contains("cannot be distinguished from the noise") && !Path::new(&path("none")).exists());
+    assert!(
+        stderr(&refused).contains("cannot be distinguished from the noise")
+            && !Path::new(&path("none")).exists()
+    );
 }
 
 #[test]
