@@ -60,7 +60,7 @@ impl Input {
         let mut table = self.whole.clone();
         let absolute = |name: &PathBuf| {
             let place = self.files.place(name);
-            let whole = place.and_then(|place| fs::canonicalize(place).ok());
+            let whole = place.and_then(|place| dunce::canonicalize(place).ok());
             whole
                 .as_ref()
                 .unwrap_or(name)

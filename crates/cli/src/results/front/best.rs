@@ -1,6 +1,6 @@
 //! Designs the best row of a sweep and writes its result.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use serde_json::Value;
 use toml::Table;
@@ -14,8 +14,10 @@ use crate::synth::{self, SynthArgs};
 use gaitcam::error::{FileError, Placed, Result};
 use gaitcam::sweep::{Key, Point};
 use gaitcam_app::blocks::PLAN;
+use gaitcam_app::disk::Disk;
 use gaitcam_app::folder::Folder;
-use gaitcam_app::{read::read_bytes, scene::not_json};
+use gaitcam_app::read::read_bytes;
+use gaitcam_app::scene::{Input, not_json};
 
 /// Designs the scene of the best row. The scene is rebuilt from the description of the sweep and the cells of the row.
 pub(super) fn open_best(
@@ -62,10 +64,10 @@ pub(super) fn open_best(
         })?;
         key.write_number(&mut table, value)?;
     }
-    absolute_file(
-        &mut table,
-        Path::new(scene["folder"].as_str().unwrap_or(".")),
-    );
+    let from = Disk {
+        folder: scene["folder"].as_str().map(PathBuf::from),
+    };
+    let table = Input::new(table, from, None)?.resolved();
     let path = folder.path().join("best.toml");
     folder.write("best.toml", table.to_string().as_bytes())?;
     synth::run(&SynthArgs {
@@ -74,20 +76,4 @@ pub(super) fn open_best(
         json: args.json,
         ..SynthArgs::default()
     })
-}
-
-/// Makes the path of the recording absolute, because the new scene is in another folder.
-fn absolute_file(table: &mut Table, folder: &Path) {
-    let file = table.get_mut("gait").and_then(|g| g.get_mut("file"));
-    if let Some(toml::Value::String(file)) = file {
-        let in_folder = folder.join(&*file);
-        let path = if in_folder.exists() {
-            in_folder
-        } else {
-            PathBuf::from(&*file)
-        };
-        if let Ok(path) = path.canonicalize() {
-            *file = path.to_string_lossy().into_owned();
-        }
-    }
 }
