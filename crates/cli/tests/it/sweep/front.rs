@@ -69,35 +69,48 @@ fn the_best_of_a_sweep_opens_as_the_design_that_its_row_describes() {
     assert!(out.join("best/profile.csv").exists() && out.join("best.toml").exists());
 }
 
-/// The scene of the best row refers to its recording like the swept scene: relative to that scene, not to the working directory.
+/// The scene of the best row refers to its recordings like the swept scene: relative to that scene, not to the working directory.
 #[test]
-fn the_best_of_a_sweep_finds_the_recording_beside_its_scene() {
+fn the_best_of_a_sweep_finds_the_recordings_beside_its_scene() {
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
     std::fs::create_dir(at.join("people")).unwrap();
     let recording = Path::new(ROOT).join("data/gait_curves/young_1.85Hz_700N.csv");
-    std::fs::copy(recording, at.join("people/a.csv")).unwrap();
-    let scene = "name = \"a\"\n[gait]\nfile = \"a.csv\"\n[accuracy]\nrms = \"none\"\n";
-    std::fs::write(at.join("people/a.toml"), scene).unwrap();
-    let vary = "law.spans=10,12";
-    let swept = run_in(
-        at,
-        &["sweep", "people/a.toml", "--vary", vary, "--out", "t.csv"],
-    );
-    assert_eq!(swept.status.code(), Some(0), "{}", stderr(&swept));
-    let best = run_in(
-        at,
-        &[
-            "front",
-            "t.csv",
-            "--minimise",
-            "stroke",
-            "--best",
-            "--out",
-            "f",
-        ],
-    );
-    assert_eq!(best.status.code(), Some(0), "{}", stderr(&best));
+    for name in ["a.csv", "b.csv"] {
+        std::fs::copy(&recording, at.join("people").join(name)).unwrap();
+    }
+    for (name, file) in [("one", "\"a.csv\""), ("walkers", "[\"a.csv\", \"b.csv\"]")] {
+        let scene =
+            format!("name = \"{name}\"\n[gait]\nfile = {file}\n[accuracy]\nrms = \"none\"\n");
+        std::fs::write(at.join("people/scene.toml"), scene).unwrap();
+        let table = format!("{name}.csv");
+        let vary = "law.spans=10,12";
+        let swept = run_in(
+            at,
+            &[
+                "sweep",
+                "people/scene.toml",
+                "--vary",
+                vary,
+                "--out",
+                &table,
+            ],
+        );
+        assert_eq!(swept.status.code(), Some(0), "{}", stderr(&swept));
+        let best = run_in(
+            at,
+            &[
+                "front",
+                &table,
+                "--minimise",
+                "stroke",
+                "--best",
+                "--out",
+                name,
+            ],
+        );
+        assert_eq!(best.status.code(), Some(0), "{}", stderr(&best));
+    }
 }
 
 #[test]
