@@ -13,8 +13,8 @@ use crate::console::error::CliError;
 use crate::console::help::command;
 use gaitcam::wording::Language;
 
-/// Arguments in which a negative number after a flag (`--tool -3mm`) is joined to the flag with `=`. Otherwise the parser would read the
-/// number as an option. No option begins with a digit.
+/// Joins a negative number to the preceding flag: `--tool -3mm` becomes `--tool=-3mm`. Otherwise the parser would read the number as an
+/// option. No option begins with a digit.
 pub fn with_negative_values(arguments: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
     let mut out: Vec<OsString> = Vec::new();
     for argument in arguments {
@@ -137,7 +137,7 @@ fn unsuitable(error: &clap::Error, typed: String) -> CliError {
     }
 }
 
-/// An element of the context of a clap error as text; lists are joined by commas.
+/// Context value of a clap error as text. The elements of a list are joined by commas.
 fn context(error: &clap::Error, kind: ContextKind) -> Option<String> {
     match error.get(kind)? {
         ContextValue::String(text) => Some(text.clone()),

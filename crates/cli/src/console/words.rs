@@ -24,12 +24,12 @@ pub static WORDS: Catalogue = Catalogue::new(&[Sentences {
     ..Sentences::NONE
 }]);
 
-/// Text of a heading or label.
+/// Text of the heading or label with the message key `key`, in the language of the output.
 pub fn text(key: &str) -> String {
     catalogue().text(key)
 }
 
-/// Message with its placeholders replaced. `arguments` is a JSON object with their values.
+/// Message `key` in which the values of the JSON object `arguments` replace the placeholders.
 pub fn fill(key: &str, arguments: &Value) -> String {
     let (area, variant) = key.split_once('-').unwrap_or(("", key));
     catalogue().sentence(area, &serde_json::json!({ variant: arguments }))

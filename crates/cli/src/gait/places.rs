@@ -21,13 +21,13 @@ pub struct Places {
 }
 
 impl Places {
-    /// Paths for the value of `--out`. For a folder, the paths are `NAME_cycle.csv` for each recording, and `joint_mean.csv`. For a file,
-    /// the joint mean is written to this file if `several` is set, otherwise the cycle. `recordings` contains the files of each
-    /// recording.
+    /// Paths for the value of `--out`. In a folder, the cycles are `NAME_cycle.csv`, one per recording, and the joint mean is
+    /// `joint_mean.csv`. If `out` is a file, the joint mean is written to it if `several` is set, otherwise the cycle. `recordings`
+    /// contains the files of each recording.
     ///
     /// # Errors
     ///
-    /// A path would replace a recording, or the name has the ending of another kind of file.
+    /// A path would replace a recording, or the file ending of `out` is neither csv nor mot.
     pub fn of(out: Option<&Path>, recordings: &[Vec<PathBuf>], several: bool) -> Result<Places> {
         let Some(out) = out else {
             return Ok(Places::default());

@@ -43,7 +43,7 @@ impl Counts {
     /// expected.
     pub fn of_block(path: &Path, first: u64) -> Counts {
         let mut out = Counts::default();
-        // The rows before the fault are counted. The caller compares the number with the expected one.
+        // The rows before the fault are counted. The caller compares their number with the expected number of rows.
         let _ = each_row(path, |columns, row| {
             let error = columns.names.iter().position(|n| n == "error");
             let error = error.map_or(String::new(), |c| row.word(c));

@@ -73,7 +73,7 @@ impl Format {
     ) -> Result<Vec<u8>> {
         match self {
             Format::Csv => {
-                // CSV cannot store metadata; the plan of the folder contains them.
+                // CSV cannot store metadata. The file `_plan.json` in the folder of blocks contains them.
                 let _ = metadata;
                 Ok((records.csv_header() + lines).into_bytes())
             }

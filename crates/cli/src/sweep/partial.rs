@@ -182,7 +182,7 @@ impl PartialTable {
         }
         self.blocks.remove_abandoned();
         drop(self._lock);
-        // A folder with files of others is not removed.
+        // The folder remains if it contains files of other programs.
         let _ = fs::remove_dir(self.folder);
         Ok(self.counts)
     }

@@ -275,7 +275,7 @@ fn amplitude_cv(walk: &Walk, found: &Followed) -> f64 {
     own.variability().amplitude_cv
 }
 
-/// One value of each misfit as text with three decimals. `value` selects the misfit or the ratio of the peaks.
+/// One value of each misfit as text with three decimals. `value` selects the value, such as the misfit itself or its peak ratio.
 pub fn list(of: &[Misfit], value: impl Fn(&Misfit) -> f64) -> String {
     let all: Vec<String> = of.iter().map(|m| fixed(value(m), 3)).collect();
     all.join("  ")

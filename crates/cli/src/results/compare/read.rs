@@ -54,7 +54,7 @@ impl Design {
         self.law.names.iter().any(|n| n == "s_rad")
     }
 
-    /// Kind of motion of follower and cam (straight, oscillating or translating); it determines the units.
+    /// Units of the design, from the motion of follower and cam (straight, oscillating or translating).
     pub fn measures(&self) -> Measures {
         match (self.slides(), self.swings()) {
             (true, _) => Measures::Straight,
