@@ -69,7 +69,7 @@ fn section_label(path: &str, language: Language) -> Option<String> {
     Some(own.unwrap_or_else(last))
 }
 
-/// Full path of a key that is given without its section; `None` if no section contains the key.
+/// Full path of a key whose section is not given; `None` if no section contains the key.
 fn path_of(name: &str, section: &str) -> Option<&'static str> {
     let in_section = |section: &str| {
         let exact = format!("{section}.{name}");
@@ -162,8 +162,8 @@ impl<'a> Writer<'a> {
         true
     }
 
-    /// Reads the value after an equals sign and returns it without quotation marks, or its label if the value is a choice. `None` if the next text is
-    /// not a value.
+    /// Reads the value after an equals sign and returns it without quotation marks. For a choice, the label is returned. `None` if no value
+    /// follows.
     fn value(&mut self, path: &str) -> Option<String> {
         let written = self.rest.strip_prefix(" = ")?;
         let (value, rest) = match written.strip_prefix('"') {
