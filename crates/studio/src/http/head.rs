@@ -23,7 +23,7 @@ pub struct Head {
     pub method: Method,
     /// Path of the address, percent-decoded.
     pub path: String,
-    /// Query of the address, as decoded pairs of names and values.
+    /// Query of the address as pairs of names and values, percent-decoded.
     pub query: Vec<(String, String)>,
     /// Values of all `Host` headers.
     pub hosts: Vec<String>,
@@ -33,7 +33,7 @@ pub struct Head {
     pub length: usize,
     /// Whether the client waits for a confirmation before it sends the body.
     pub expects: bool,
-    /// Whether the client requests that the connection is closed after the response.
+    /// Whether the client requests that the server closes the connection after the response.
     pub closes: bool,
 }
 
