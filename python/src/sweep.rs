@@ -49,8 +49,8 @@ use question::Question;
 /// seed : int
 ///     Seed of the random number generator.
 /// tolerance : dict, optional
-///     Manufacturing tolerances of a single design: ``{"profile": "0.02 mm", "mass": "1 %"}``. Each row is one of ``sample``
-///     randomly manufactured cams. Tolerances cannot be combined with varied keys.
+///     Manufacturing tolerances of a single design: ``{"profile": "0.02 mm", "mass": "1 %"}``. Each row is a cam with random deviations
+///     within the tolerances, and ``sample`` is the number of cams. Tolerances cannot be combined with varied keys.
 /// time_limit : float
 ///     Time limit of the search for one row, s. If it is reached, the row contains an error. Only such a row
 ///     can depend on the speed of the machine.
@@ -118,9 +118,9 @@ impl Sweep {
 
     /// Computes the rows from ``start`` to ``stop`` - 1 (by default all rows). The result is a table whose first column is ``row``.
     ///
-    /// ``jobs`` is the number of threads, by default one per core. ``progress(begun, rows)`` is called about twenty times per second and at the
-    /// end. ``begun`` is the number of rows that have been started; ``rows`` is the number of rows of this call. An exception in ``progress``
-    /// ends the computation.
+    /// ``jobs`` is the number of threads, by default one per core. ``progress(begun, rows)`` is called about twenty times per second and at
+    /// the end. ``begun`` is the number of rows that have been started. ``rows`` is the number of rows of this call. An exception in
+    /// ``progress`` ends the computation.
     #[pyo3(signature = (start = 0, stop = None, *, jobs = None, progress = None))]
     fn run(
         &self,
@@ -164,8 +164,8 @@ impl Sweep {
         Ok(Table::new(records, self.sweep.metadata()))
     }
 
-    /// Opens or creates the folder of this sweep. Returns the missing blocks. Each block is given by its first row, the row after its last row, and
-    /// its file.
+    /// Opens or creates the folder of this sweep and returns the missing blocks. Each block is a tuple of its first row, the row after its
+    /// last row, and the path of its file.
     ///
     /// Raises
     /// ------

@@ -55,9 +55,10 @@ pub fn synth(
     answer(py, scene, force, time_limit)
 }
 
-/// Scene and force from the arguments of a call. The default scene is the built-in footbridge. The force is `None` if the force of the scene is used.
+/// Scene and force from the arguments of a call. The default scene is the built-in footbridge. If no force is given, the returned force is
+/// `None`, and the scene defines the force.
 ///
-/// If there are several forces, the forces of walkers that the scene excludes by name are omitted.
+/// If several forces are given, the forces of walkers that the scene excludes by name are omitted.
 pub(crate) fn asked(
     py: Python<'_>,
     scene: Option<&Bound<'_, PyAny>>,

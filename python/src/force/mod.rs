@@ -22,8 +22,8 @@ pub use origin::{FILE, Origin};
 
 /// One cycle of a vertical force.
 ///
-/// ``Force(t_s, f_n)`` defines a cycle by its times and forces, one-dimensional arrays of equal length. The times must increase. The first sample
-/// may be repeated at the end.
+/// ``Force(t_s, f_n)`` defines a cycle by its times and forces. Both are one-dimensional arrays of equal length. The times must increase.
+/// The first sample may be repeated at the end.
 ///
 /// Parameters
 /// ----------
@@ -62,7 +62,7 @@ impl Force {
         Ok(force.map(|f| f.get().clone()))
     }
 
-    /// Mean cycle of a recording. If `name` is `None`, the name of the file without its extension is used.
+    /// Mean cycle of a recording. If `name` is `None`, the name is the file name without its extension.
     fn of_recording(py: Python<'_>, origin: Origin, name: Option<&str>) -> PyResult<Force> {
         let file = origin.file();
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
@@ -75,7 +75,8 @@ impl Force {
         })
     }
 
-    /// Combines several walkers into one target force. Forces of the same name are cycles of one walker; forces without a name are numbered.
+    /// Combines several walkers into one target force. Forces with the same name are cycles of one walker. Forces without a name are
+    /// numbered.
     pub fn of_walkers(py: Python<'_>, forces: &[PyRef<'_, Force>]) -> PyResult<Force> {
         let walker = |(number, force): (usize, &PyRef<'_, Force>)| {
             let name = match force.name.as_str() {
@@ -88,7 +89,7 @@ impl Force {
         Force::of_population(py, &walkers)
     }
 
-    /// Combines a population of walkers into one target force.
+    /// Combines the cycles of a population of walkers into one target force.
     pub fn of_population(py: Python<'_>, walkers: &[Walker]) -> PyResult<Force> {
         let table = force::population_csv(walkers);
         let origin = Origin::Recording {
@@ -99,7 +100,8 @@ impl Force {
         Force::of_recording(py, origin, None)
     }
 
-    /// Content of a file that belongs to this force: the recording, its table of subjects, or [`FILE`]. `None` for other files.
+    /// Content of a file from which this force is read: the recording, its table of subjects, or [`FILE`] for arrays. `None` for other
+    /// files.
     pub fn content(&self, path: &Path) -> Option<Arc<Vec<u8>>> {
         match &self.origin {
             Origin::Arrays => {
@@ -110,7 +112,7 @@ impl Force {
         }
     }
 
-    /// Copy of a scene in which this force is the source in `[gait]`. Scale, band, phase and weights are unchanged.
+    /// Copy of a scene in which this force is the source in `[gait]`. Keys for scale, band, phase and weights are unchanged.
     ///
     /// # Errors
     ///
@@ -155,8 +157,8 @@ impl Force {
 
     /// Mean cycle of a recording of walking that is given as arrays. Stances are detected and averaged as in :func:`read_gait`.
     ///
-    /// ``t_s`` (s) has shape (n,). ``f_n`` (N) has shape (n,) or (n, plates). The default name is "recording". The options are those of
-    /// :func:`read_gait`, without the names of columns and the sampling rate.
+    /// ``t_s`` (s) has shape (n,). ``f_n`` (N) has shape (n,) or (n, plates). The default name is "recording". The options of
+    /// :func:`read_gait` are available, except the names of columns and the sampling rate.
     #[staticmethod]
     #[pyo3(signature = (t_s, f_n, name = None, **options), text_signature = "(t_s, f_n, name=None, *, feet=None, mass=None, \
         mass_kg=None, unit=None, kind=None, accept=None, period=None, period_s=None, span=None, span_rad=None, noise=None,
@@ -190,7 +192,7 @@ impl Force {
         PyArray1::from_iter(py, times)
     }
 
-    /// Step-to-step standard deviation of the force at the phases of ``force_n``, N; shape (n,). ``None`` if no cycles were averaged.
+    /// Standard deviation of the force between steps at the phases of ``force_n``, N; shape (n,). ``None`` if no cycles were averaged.
     #[getter]
     fn spread_n<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
         let spread = self.curve.spread_n.as_ref()?;
@@ -215,13 +217,14 @@ impl Force {
         self.curve.mass_kg
     }
 
-    /// Name of the walker in all tables and results: the given name, otherwise the file name without its extension.
+    /// Name of the walker in all tables and results. The default is the file name without its extension, or "force" for arrays of one
+    /// cycle.
     #[getter]
     fn name(&self) -> &str {
         &self.name
     }
 
-    /// Recorded movement: "walking", "running", …; ``None`` for a cycle that is given as arrays.
+    /// Recorded movement: "walking", "running", …; ``None`` for a cycle that is given as arrays, and for an unknown movement.
     #[getter]
     fn kind(&self) -> Option<&'static str> {
         Some(self.curve.recording.as_ref()?.kind?.name())
@@ -246,8 +249,8 @@ impl Force {
         steps::table(&recording.map_or(Vec::new(), |r| r.stance_rows()))
     }
 
-    /// Complete strides of both feet, as a table with the columns of :attr:`stances`. The peaks are measured in the first stance; the impulse is the
-    /// sum of both feet.
+    /// Complete strides of both feet, as a table with the columns of :attr:`stances`. The peaks are measured in the first stance. The
+    /// impulse is the sum of both feet.
     #[getter]
     fn strides(&self) -> Table {
         let recording = self.curve.recording.as_ref();
@@ -398,7 +401,7 @@ pub fn read_gait(
     Force::of_recording(py, origin, name)
 }
 
-/// Path of a recording, or the paths of the plates of one trial, with one file for each plate.
+/// Path of a recording, or paths of the force plates of one trial, with one file for each plate.
 #[derive(FromPyObject)]
 pub enum Paths {
     One(PathBuf),

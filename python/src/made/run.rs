@@ -89,7 +89,7 @@ pub fn simulate(
     })
 }
 
-/// Scene of a design in which the machine is changed and the force is replaced.
+/// Scene of a design with a changed machine and, if given, another force.
 fn scene_of(
     py: Python<'_>,
     design: &Design,
@@ -163,7 +163,7 @@ impl Run {
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, (&Py<Design>, &'static str)> {
-        // A run is determined by its inputs, so only these are pickled.
+        // The inputs determine a run, so only the inputs are pickled.
         let simulate = py.import("gaitcam")?.getattr("simulate")?;
         let keywords = PyDict::new(py);
         keywords.set_item("machine", self.machine.as_ref())?;
