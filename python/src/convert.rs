@@ -56,7 +56,7 @@ pub fn si_key(name: &str) -> Option<Key> {
     (key.is_number() && scene::keys::find(name).is_none()).then_some(key)
 }
 
-/// Class of this package whose objects are accepted as arguments.
+/// Class of this package. Functions accept its objects as arguments.
 pub trait Argument: PyClass {
     /// Text for error messages that describes how to create such an object.
     const MADE: &'static str;

@@ -25,7 +25,7 @@ use crate::table::Table;
 /// Parameters
 /// ----------
 /// scene : Scene, optional
-///     Scene with the machine, its limits, ``law.robust`` and ``gait.adjust``; the built-in footbridge by default.
+///     Scene with the machine, its limits, ``law.robust`` and ``gait.adjust``. The default is the built-in footbridge.
 /// forces : sequence of Force, optional
 ///     Cycles of the walkers, which replace those in the scene. Forces with the same name are cycles of one walker.
 /// cams : int

@@ -325,10 +325,10 @@ impl Design {
     /// Parameters
     /// ----------
     /// ax : matplotlib.axes.Axes, optional
-    ///     Axes for the plot; new axes by default.
+    ///     Axes for the plot. By default, new axes are created.
     /// what : str
-    ///     "force" plots the force and its target (N) over the cam angle (°), "law" the lift (mm) over the cam angle,
-    ///     and "profile" the profile of the cam (mm).
+    ///     "force" plots the force and its target (N) over the cam angle (°). "law" plots the lift (mm) over the cam angle. "profile" plots
+    ///     the profile of the cam (mm).
     ///
     /// Returns
     /// -------

@@ -124,7 +124,7 @@ fn names(table: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
     convert::keys(table, "table")
 }
 
-/// Values of a text column; a missing value becomes an empty text.
+/// Values of a text column. A missing value becomes an empty text.
 fn words(table: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<String>> {
     let column = table.get_item(name)?;
     // The values of a pyarrow column are not Python strings, so the column is converted to a list.

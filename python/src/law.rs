@@ -13,7 +13,7 @@ use crate::error::Raise;
 ///
 /// The lift s is in m, or in rad for an oscillating follower. The other results are its exact derivatives with respect to the cam angle:
 /// m/rad, m/rad², m/rad³. ``theta`` is in rad, and any number of turns is allowed. A law of the catalogue is normalised: its lift increases
-/// from 0 to 1 over 0 ≤ x ≤ 1.
+/// from 0 to 1 while ``theta`` increases from 0 to 1.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Law {
     name: String,

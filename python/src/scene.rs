@@ -128,7 +128,7 @@ impl Scene {
         Scene::of_table(py, table, Disk::beside(&path), Some(path))
     }
 
-    /// Built-in scene with the given name; see :meth:`builtins`.
+    /// Built-in scene with the given name (see :meth:`builtins`).
     #[staticmethod]
     fn builtin(py: Python<'_>, name: &str) -> PyResult<Scene> {
         let table = parse(scene::built_in(name).raise(py)?.toml, None).raise(py)?;

@@ -27,7 +27,7 @@ use question::Question;
 /// Parameters
 /// ----------
 /// scene : Scene or list of Scene, optional
-///     Base scenes; the built-in footbridge by default.
+///     Base scenes. The default is the built-in footbridge.
 /// force : Force, optional
 ///     Target force that replaces the forces of all scenes.
 /// vary : dict, optional
@@ -39,7 +39,7 @@ use question::Question;
 ///     ``gait.file`` may be a folder of walkers or a list of files.
 /// rows : mapping, optional
 ///     Keys with lists of values that are combined row by row. Columns of a gaitcam table can be used with their own names,
-///     such as ``limits.stroke_m``; they contain numbers in SI units.
+///     such as ``limits.stroke_m``. These columns contain numbers in SI units.
 /// recordings : list of paths, optional
 ///     Paths of recordings. Each is combined with all other values.
 /// sample : int, optional
@@ -116,7 +116,7 @@ impl Sweep {
         })
     }
 
-    /// Computes the rows from ``start`` to ``stop`` - 1 (by default all rows). The result is a table whose first column is ``row``.
+    /// Computes the rows from ``start`` to ``stop`` - 1 (by default all rows). The first column of the resulting table is ``row``.
     ///
     /// ``jobs`` is the number of threads, by default one per core. ``progress(begun, rows)`` is called about twenty times per second and at
     /// the end. ``begun`` is the number of rows that have been started. ``rows`` is the number of rows of this call. An exception in

@@ -23,12 +23,12 @@ use crate::scene::Scene;
 /// Parameters
 /// ----------
 /// scene : Scene, optional
-///     Scene to design; the built-in footbridge by default.
+///     Scene to design. The default is the built-in footbridge.
 /// force : Force, optional
 ///     Target force that replaces the force of the scene.
 /// forces : sequence of Force, optional
 ///     Cycles of several walkers. One cam is designed for all of them, with the objective ``law.robust`` and the adjustment
-///     ``gait.adjust``. Forces of the same name are cycles of one walker. ``summary["population"]`` contains the errors.
+///     ``gait.adjust``. Forces with the same name are cycles of one walker. ``summary["population"]`` contains the errors.
 /// time_limit : float
 ///     Time limit of the search, s. When it is reached, the best result so far is used.
 ///

@@ -109,7 +109,7 @@ impl Blocks {
     }
 }
 
-/// Sweep whose blocks of equal length are computed by several processes.
+/// Blocks of a sweep that several processes compute. All blocks except the last have the same number of rows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SharedBlocks {
     /// Folder with the blocks of the sweep.

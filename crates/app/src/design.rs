@@ -90,7 +90,7 @@ pub fn put_under(design: Design, scene: &Scene, force: &ForceCurve) -> Result<De
     Ok(design.moved_to(problem.drive, target))
 }
 
-/// Keys of `law` and their values for one cam of a set: the objective of this cam, and the law family and size of all cams.
+/// Keys of `law` and their values for one cam of a set. Each cam has its own objective. All cams have the same law family and size.
 pub fn law_of_cam(cover: &Cover, cam: usize) -> Vec<(&'static str, toml::Value)> {
     let law = &cover.scene.law;
     let objective = cover.cams[cam].population.as_ref();

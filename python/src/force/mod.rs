@@ -36,7 +36,7 @@ pub use origin::{FILE, Origin};
 /// mass_kg : float, optional
 ///     Mass of the walker, kg.
 /// name : str, optional
-///     Name of the walker in tables and results; "force" by default.
+///     Name of the walker in tables and results. The default is "force".
 #[pyclass(frozen, module = "gaitcam")]
 #[derive(Clone)]
 pub struct Force {
@@ -240,9 +240,10 @@ impl Force {
         Ok(open.map(OpenQuestion::name).collect())
     }
 
-    /// Contacts of a recording in the order of time, as a table. The columns are ``column``, ``foot``, ``start_s`` and ``end_s`` (clock of the
-    /// file), ``p1_n``, ``valley_n``, ``p2_n``, ``impulse`` (N s), ``used`` (1 or 0) and ``why`` (the reason if ``used`` is 0). A cycle that is
-    /// given as arrays has no contacts.
+    /// Contacts of a recording in the order of time, as a table. The columns are ``column``, ``foot``, ``start_s``, ``end_s``, ``p1_n``,
+    /// ``valley_n``, ``p2_n``, ``impulse`` (N s), ``used`` and ``why``. Times are on the clock of the file. ``p1_n``, ``valley_n`` and
+    /// ``p2_n`` are the forces at the first peak, the valley and the second peak. ``used`` is 1 or 0, and ``why`` is the reason for 0. A
+    /// cycle that is given as arrays has no contacts.
     #[getter]
     fn stances(&self) -> Table {
         let recording = self.curve.recording.as_ref();
@@ -336,11 +337,11 @@ impl Force {
 /// Parameters
 /// ----------
 /// path : path or list of paths
-///     File of the recording, or the files of the plates of one trial, one file per plate.
+///     File of the recording, or the files of one trial with one file per force plate.
 /// name : str, optional
-///     Name of the walker in tables and results; by default the file name without its extension.
+///     Name of the walker in tables and results. The default is the file name without its extension.
 /// feet : str
-///     Feet whose force is used: "both" (default), "one", "left", "right" or "total".
+///     Feet from which the force is used: "both" (default), "one", "left", "right" or "total".
 /// rate : str ("1000 Hz"), rate_hz : float
 ///     Sampling rate, if the file does not contain it.
 /// mass : str ("72.6 kg"), mass_kg : float
@@ -350,7 +351,7 @@ impl Force {
 /// kind : str
 ///     Kind of movement: "walking", "running", "standing", "jumping", "sit-to-stand" or "other".
 /// accept : str ("clock, mass")
-///     Open questions for which the assumption is accepted; see :attr:`Force.open`.
+///     Open questions for which the assumption is accepted (see :attr:`Force.open`).
 /// time : str, force : str or list of str
 ///     Names of the columns with the time and with the force.
 /// period : str ("0.5 s"), period_s : float

@@ -40,7 +40,7 @@ pub struct Run {
 ///     "machine.stiffness": "2e5 N/m", "machine.restitution": 0.4}``. Only ``drive.*`` and ``machine.*`` are allowed, because the
 ///     cam does not change.
 /// force : Force, optional
-///     Force of another walker, which is the target in this simulation. If the scene contains no mass or speed of the machine,
+///     Force of another walker, which is the target force in this simulation. If the scene contains no mass or speed of the machine,
 ///     they are computed from this force.
 ///
 /// Raises

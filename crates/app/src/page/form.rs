@@ -14,16 +14,16 @@ use gaitcam::units::{Dimension, parse};
 /// Contents of one field of the form.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Field {
-    /// Text of the value in the scene file; empty if the scene omits the key.
+    /// Text of the value in the scene file. It is empty if the scene omits the key.
     pub text: String,
     /// Text that an empty field shows: the value in the design, or the default.
     pub placeholder: String,
-    /// Value that the design uses for the key, if the scene omits the key or sets it to `auto`; otherwise `None`.
+    /// Value of the design for a key that the scene omits or sets to `auto`. `None` for other keys.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub taken: Option<String>,
     /// Whether the key has an effect in this scene.
     pub acts: bool,
-    /// Slider of the field; `None` if no meaningful range is known.
+    /// Slider of the field; `None` for a key without a suitable range.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub slider: Option<Slider>,
 }
@@ -39,7 +39,7 @@ pub struct Slider {
     pub step: f64,
     /// Position of the slider, in `unit`.
     pub at: f64,
-    /// Unit after the number in a scene file, with the space before it; empty for a count.
+    /// Unit after the number in a scene file, including the space before it. It is empty for a count.
     pub unit: String,
 }
 
@@ -115,7 +115,7 @@ fn length(table: &Table, list: &str) -> usize {
         .map_or(0, Vec::len)
 }
 
-/// Text of a value in its field, without quotation marks; empty if the scene omits the key.
+/// Text of a value in its field, without quotation marks. It is empty if the scene omits the key.
 pub fn typed(table: &Table, path: &str) -> String {
     match at(table, path) {
         None => String::new(),

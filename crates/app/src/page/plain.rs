@@ -69,7 +69,7 @@ fn section_label(path: &str, language: Language) -> Option<String> {
     Some(own.unwrap_or_else(last))
 }
 
-/// Full path of a key whose section is not given; `None` if no section contains the key.
+/// Full path of a key that is given without its section; `None` if no section contains the key.
 fn path_of(name: &str, section: &str) -> Option<&'static str> {
     let in_section = |section: &str| {
         let exact = format!("{section}.{name}");

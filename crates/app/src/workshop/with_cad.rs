@@ -53,7 +53,7 @@ pub enum Remark {
     NoStep(Error),
     /// The cutter damages the profile.
     Gouge(Gouge),
-    /// The electronic cam was written; it contains the force error with the controller.
+    /// The electronic cam was written. Its data include the force error with the controller.
     Ecam(ElectronicCam),
     /// The electronic cam cannot be made, for this reason.
     NoEcam(Error),

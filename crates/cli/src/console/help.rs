@@ -55,7 +55,7 @@ fn label(key: &str) -> String {
     spanish().text(key)
 }
 
-/// Replaces the help texts of a verb and its subcommands by the Spanish texts. An empty `verb` stands for `gaitcam` without a verb.
+/// Replaces the help texts of a verb and its subcommands by the Spanish texts. An empty `verb` means `gaitcam` without a verb.
 fn in_spanish(command: Command, verb: &str) -> Command {
     let about = if verb.is_empty() { "gaitcam" } else { verb };
     let usage = command.clone().render_usage().to_string();

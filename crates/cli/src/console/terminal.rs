@@ -31,7 +31,7 @@ pub fn report(message: impl Display) {
     let _ = writeln!(std::io::stderr().lock(), "gaitcam: {shown}");
 }
 
-/// The text, if it has at most `most` bytes; otherwise its first `most` bytes and an ellipsis. Characters are not split.
+/// Shortens a text of more than `most` bytes to its first `most` bytes and an ellipsis. Characters are not split.
 fn shortened(text: &str, most: usize) -> String {
     if text.len() <= most {
         return text.to_string();

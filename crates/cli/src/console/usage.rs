@@ -36,7 +36,7 @@ fn is_negative(argument: &OsStr) -> bool {
     number.is_some_and(|n| n.starts_with(|c: char| c.is_ascii_digit()))
 }
 
-/// Whether a text is a flag whose value is the following argument.
+/// Whether a text is a flag that has its value in the following argument.
 fn is_flag(argument: &OsStr) -> bool {
     let text = argument.to_string_lossy();
     text.len() > 2 && text.starts_with("--") && !text.contains('=')
@@ -120,7 +120,7 @@ fn choices(missing: &str) -> String {
 /// Former verbs of `gaitcam` that are now verbs of `gaitcam-lab`.
 const IN_LAB: [&str; 2] = ["chart", "reproduce"];
 
-/// Error for an invalid value of a flag, with the valid values or range if known.
+/// Error for an invalid value of a flag. It contains the valid values or the valid range, if clap provides them.
 fn unsuitable(error: &clap::Error, typed: String) -> CliError {
     let source = error.source();
     if source.is_some_and(|s| s.is::<ParseIntError>()) {

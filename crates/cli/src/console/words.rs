@@ -40,7 +40,7 @@ pub fn length(metres: f64) -> String {
     gaitcam::wording::quantity(language::current(), metres, "m")
 }
 
-/// Name of a follower, law, limit or solver in the language of the output; other texts are returned unchanged.
+/// Name of a follower, law, limit or solver in the language of the output. Other texts are returned unchanged.
 pub fn name(typed: &str) -> String {
     gaitcam::wording::catalogue(language::current()).name(typed)
 }

@@ -14,7 +14,7 @@ pub const JOINT_MEAN: &str = "joint_mean.csv";
 /// Paths of the cycles of one or several recordings. The picture of a cycle has the same path with the ending `.svg` or `.png`.
 #[derive(Debug, Default)]
 pub struct Places {
-    /// Path of the cycle of each recording; empty if none is written.
+    /// Path of the cycle of each recording. The list is empty if no cycles are written.
     pub each: Vec<PathBuf>,
     /// Path of the joint mean; `None` if it is not written.
     pub joint: Option<PathBuf>,

@@ -19,9 +19,9 @@ pub struct Counts {
     pub low_speed: u64,
     /// Number of rows with infeasible limits.
     pub infeasible: u64,
-    /// Number of rows whose scene is invalid.
+    /// Number of rows with an invalid scene.
     pub errors: u64,
-    /// Number and error message of the first row whose scene is invalid.
+    /// Number of the first row with an invalid scene, and its error message.
     pub first_error: Option<(u64, String)>,
 }
 
@@ -39,8 +39,8 @@ impl Counts {
         out
     }
 
-    /// Counts of the rows in a block file; `first` is the number of its first row. If the block is truncated, the total is smaller than
-    /// expected.
+    /// Counts of the rows in a block file. `first` is the number of its first row. If the block is truncated, the number of counted rows is
+    /// too small.
     pub fn of_block(path: &Path, first: u64) -> Counts {
         let mut out = Counts::default();
         // The rows before the fault are counted. The caller compares their number with the expected number of rows.

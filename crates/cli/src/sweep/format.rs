@@ -16,7 +16,7 @@ use gaitcam_output::parquet;
 pub enum Format {
     /// Comma-separated values.
     Csv,
-    /// Apache Parquet; requires the feature `parquet`.
+    /// Apache Parquet, which requires the feature `parquet`.
     #[cfg(feature = "parquet")]
     Parquet,
 }
@@ -54,7 +54,7 @@ impl Format {
         }
     }
 
-    /// Rows as lines of CSV text; empty for other formats.
+    /// Rows as lines of CSV text. The text is empty for other formats.
     pub fn lines(self, records: &Records) -> String {
         match self {
             Format::Csv => records.csv_rows(),

@@ -17,7 +17,7 @@ use crate::console::words::{self, fixed, number, power};
 /// Maximum numbers of console lines for each kind of information. Omitted lines are only counted. The file summary.json contains all data.
 const CHECKS: usize = 5;
 const FAILED_CHECKS: usize = 4;
-/// Number of harmonics whose load factor is printed.
+/// Number of harmonics for which the load factor is printed.
 const LOAD_FACTORS: usize = 4;
 const ACTIVE_LIMITS: usize = 3;
 const SENSITIVITIES: usize = 2;

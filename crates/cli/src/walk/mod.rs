@@ -179,8 +179,8 @@ fn statistics(args: &WalkArgs, strides: usize) -> Result<StepStatistics> {
     })
 }
 
-/// The walk in the machine of a design. If the axis moves, the force of the walk is scaled to the mean force of the cam, because this
-/// mean force corresponds to the weight of the walker.
+/// The walk in the machine of a design. For a moving axis, the force of the walk is scaled to the mean force of the cam. This mean force
+/// corresponds to the weight of the walker.
 fn on_cam(walk: Walk, design: &Design) -> Walk {
     let drive = &design.problem.drive;
     if drive.kind != DriveKind::MovingAxis {
@@ -247,7 +247,7 @@ pub fn ends(values: &[f64]) -> [f64; 2] {
         .fold(ends, |[low, high], x| [low.min(*x), high.max(*x)])
 }
 
-/// Maximum absolute value of a list; 0 for an empty list.
+/// Maximum absolute value of a list. An empty list gives 0.
 pub fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most, x| most.max(x.abs()))
 }

@@ -56,7 +56,7 @@ const REPORT: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 
 pub struct Response {
     /// Status code of the response.
     pub status: Status,
-    /// Media type of the response.
+    /// Media type of the response, such as `application/json`.
     pub kind: &'static str,
     /// Body of the response, as bytes.
     pub body: Vec<u8>,

@@ -16,7 +16,7 @@ pub struct Server {
 }
 
 impl Server {
-    /// Listens on a port of the loopback address; 0 selects a free port.
+    /// Listens on a port of the loopback address. Port 0 selects a free port.
     ///
     /// # Errors
     ///

@@ -93,7 +93,7 @@ pub(super) fn contour(design: &Design, samples: &[Sample], colour: Colour) -> Co
     }
 }
 
-/// Permitted minimum radii of curvature of convex and of concave parts, m; NaN without a limit.
+/// Permitted minimum radii of curvature of convex and concave parts, m. A radius without a limit is NaN.
 fn smallest_radii(design: &Design) -> [f64; 2] {
     [Criterion::from(LimitKind::Curvature), Criterion::Concave].map(|name| {
         let limits = |c: &&Check| c.name == name && c.limit > 0.0;

@@ -86,8 +86,8 @@ pub struct Level {
 /// One curve of a diagram.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Line {
-    /// Role of the curve: `main` or `target`, `low` or `high` for the edges of a band, or `worst` for the target force of the walker with
-    /// the maximum error.
+    /// Role of the curve: `main`, `target`, `low`, `high` or `worst`. `low` and `high` are the edges of a band. `worst` is the target force
+    /// of the walker with the maximum error.
     pub role: &'static str,
     /// Values of the curve at the angles of [`Curves::theta`], in the unit of the diagram.
     pub y: Vec<Shown>,

@@ -53,7 +53,7 @@ const LOOKS: usize = 500;
 /// Data about a design for the page.
 #[derive(Serialize)]
 pub struct Answer {
-    /// Hash of the scene and its files; `force_hash` is the hash of the force alone.
+    /// Hash of the scene and its files. `force_hash` is the hash of the target force only.
     design_hash: Hash,
     force_hash: Option<Hash>,
     name: String,

@@ -36,7 +36,7 @@ pub struct Span {
     pub to: f64,
     /// Number of values, equally spaced.
     pub count: usize,
-    /// Unit after the number in a scene file, with the space before it; empty for a count.
+    /// Unit after the number in a scene file, including the space before it. It is empty for a count.
     #[serde(default)]
     pub unit: String,
 }

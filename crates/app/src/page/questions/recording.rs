@@ -73,7 +73,7 @@ pub struct Contacts {
     /// Numbers of the excluded stances, counted from 0.
     #[serde(default)]
     pub without: Vec<usize>,
-    /// Feet whose stances are used, as text.
+    /// Feet from which stances are used, as text (see the key `gait.feet`).
     #[serde(default)]
     pub feet: String,
     /// Options for reading the recording: keys of `gait` with their values.

@@ -31,7 +31,7 @@ const BARS: usize = 12;
 pub struct Vary {
     /// TOML text of the scene.
     pub scene: String,
-    /// Column name of the quantity whose sensitivity is computed.
+    /// Column name of the quantity for which the sensitivity is computed.
     pub quantity: String,
     /// Relative change of each number, as a fraction of its value.
     pub share: f64,

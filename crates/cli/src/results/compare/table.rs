@@ -17,7 +17,7 @@ const ROUNDING: f64 = 1e-9;
 /// Function that returns the text of a cell for a design.
 type Cell = fn(&Design) -> String;
 
-/// Rows whose cells are words: key of the heading, and function that returns the text of a cell.
+/// Table rows with words instead of numbers. Each entry contains the key of the heading and the function that returns the text of a cell.
 const WORDS: [(&str, Cell); 4] = [
     ("compare-verdict", |d| word(&d.summary["verdict"])),
     ("compare-outcome", |d| outcome(&d.summary["outcome"])),
@@ -109,7 +109,7 @@ fn outcome(value: &Value) -> String {
     }
 }
 
-/// Converts a value of summary.json to a number; the strings `"inf"` and `"-inf"` become infinite.
+/// Converts a value of summary.json to a number. The strings `"inf"` and `"-inf"` become infinite.
 fn number(value: &Value) -> Option<f64> {
     match value.as_str() {
         Some("inf") => Some(f64::INFINITY),

@@ -199,7 +199,7 @@ fn page<'a>(
     }
 }
 
-/// A cell of the table as text; a number has the decimal sign of the language.
+/// Text of a table cell. Numbers have the decimal sign of the output language.
 fn read(cell: &str) -> String {
     let number = |x| gaitcam::wording::exact(language::current(), x);
     cell.parse().map_or_else(|_| cell.to_string(), number)
