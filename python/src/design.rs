@@ -115,7 +115,7 @@ impl Design {
         }
     }
 
-    /// Reasons for the verdict, as sentences.
+    /// Reasons for the verdict, as sentences in the language ``lang`` ("en" or "es").
     #[pyo3(signature = (lang = "en"))]
     fn reason(&self, py: Python<'_>, lang: &str) -> PyResult<String> {
         Ok(self.said(language(py, lang)?))

@@ -142,7 +142,7 @@ impl SharedBlocks {
         })
     }
 
-    /// Row ranges of all blocks.
+    /// Row ranges of all blocks in increasing order, including the blocks without a file.
     fn all(&self) -> impl Iterator<Item = Range<u64>> {
         let starts = (0..self.rows).step_by(self.block_rows as usize);
         starts.map(|start| start..(start + self.block_rows).min(self.rows))

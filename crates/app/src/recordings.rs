@@ -26,7 +26,7 @@ const ABOUT: [&str; 7] = [
 pub struct Inside {
     /// Recordings, recognised by their extensions, in alphabetical order.
     pub recordings: Vec<PathBuf>,
-    /// Names of the other files.
+    /// Names of the files that are not recordings.
     pub others: Vec<String>,
 }
 

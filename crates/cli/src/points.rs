@@ -55,7 +55,7 @@ enum Program {
     Inventor,
     // "Import spline CSV": x,y,z in centimetres, no header
     Fusion,
-    // x,y,z with a header
+    // CSV text x,y,z with a header line
     Plain,
 }
 

@@ -126,7 +126,7 @@ impl Guard {
             .any(|given| same(given.as_bytes(), self.token.as_bytes()))
     }
 
-    /// Path without the token prefix.
+    /// Removes the token prefix and leading slashes from a path.
     pub fn inside<'p>(&self, path: &'p str) -> &'p str {
         let path = path.trim_start_matches('/');
         match path.strip_prefix(self.token.as_str()) {

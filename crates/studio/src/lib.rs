@@ -45,7 +45,7 @@ pub struct Options {
     pub language: Option<Language>,
 }
 
-/// State of a running studio.
+/// State of a running studio: access control, opened folder, start state, language and engine.
 struct Studio {
     guard: Guard,
     folder: Folder,

@@ -44,7 +44,7 @@ pub struct Force {
     pub curve: ForceCurve,
     /// Data from which the force was computed.
     pub origin: Origin,
-    /// Name of the walker.
+    /// Name of the walker in tables and results.
     pub name: String,
 }
 

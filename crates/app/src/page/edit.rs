@@ -17,28 +17,28 @@ use gaitcam::scene::{self, Scene, unset};
 pub enum Edit {
     /// Sets a key to a value as written in a scene file. An empty value removes the key.
     Set {
-        /// Dotted key of the value.
+        /// Dotted key of the value, such as `limits.stroke`.
         key: String,
-        /// New value of the key, as text.
+        /// New value as text, in the form of a scene file.
         value: String,
     },
     /// Inserts an entry in a list. The new entry is a copy of the preceding entry, or a valid default if the list is empty.
     Insert {
-        /// Dotted name of the list.
+        /// Dotted name of the list, such as `law.segment`.
         list: String,
         /// Number of the inserted entry, counted from 1.
         number: usize,
     },
     /// Removes an entry from a list.
     Remove {
-        /// Dotted name of the list.
+        /// Dotted name of the list, such as `law.segment`.
         list: String,
         /// Number of the removed entry, counted from 1.
         number: usize,
     },
     /// Moves an entry of a list.
     Move {
-        /// Dotted name of the list.
+        /// Dotted name of the list, such as `law.segment`.
         list: String,
         /// Number of the moved entry, counted from 1.
         from: usize,

@@ -59,7 +59,7 @@ pub struct Made {
     pub scene: Scene,
     /// Design of the scene, with its checks.
     pub design: Design,
-    /// Computing times of the design.
+    /// Computing times of the design, s.
     pub time: Timing,
     /// Hash of all inputs of the design.
     pub hash: Hash,

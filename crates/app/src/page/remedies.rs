@@ -7,13 +7,13 @@ use gaitcam::scene::{Scene, keys};
 use gaitcam::synth::Design;
 use gaitcam::units::Quantity;
 
-/// Maximum number of columns that are suggested.
+/// Maximum number of columns that are suggested as force columns.
 const MOST: usize = 12;
 
 /// Suggested change of a key, or a key that needs a value from the user.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Remedy {
-    /// Dotted key of the scene.
+    /// Dotted key of the scene that the correction changes.
     pub key: String,
     /// Suggested value as written in a scene file; `None` if the user has to enter the value.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -11,7 +11,7 @@ pub fn catalogue() -> &'static Messages {
     WORDS.of(language::current())
 }
 
-/// Catalogue of the command's messages.
+/// Catalogue of the command's messages in all languages.
 pub static WORDS: Catalogue = Catalogue::new(&[Sentences {
     files: &[[
         include_str!("../../words/en/cli.ftl"),

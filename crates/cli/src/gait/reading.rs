@@ -29,7 +29,7 @@ pub(super) struct Read {
     pub(super) given: Option<ForceCurve>,
     /// Error because of which the recording has no cycle; `None` if it has one.
     pub(super) fault: Option<Error>,
-    /// Text that describes the recording.
+    /// Description of the recording for the console.
     pub(super) text: String,
     pub(super) object: Value,
 }

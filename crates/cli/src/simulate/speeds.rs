@@ -29,7 +29,7 @@ use gaitcam_app::inputs;
 use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_output::plots::{self, AtSpeed};
 
-/// Maximum number of speeds.
+/// Maximum number of speeds in `--speeds`.
 const MOST: usize = 1000;
 const COLUMNS: &str =
     "speed_rad_per_s,rms_error_n,dlf_1,dlf_2,dlf_3,dlf_4,torque_max_n_m,contact_lost,ripple";

@@ -21,7 +21,7 @@ const MANY: u64 = 100_000_000;
 
 /// Definition of a sweep, and the input files of its scenes.
 pub struct Asked {
-    /// Definition of the sweep.
+    /// Scenes of the sweep, and varied keys with their values.
     pub question: SweepQuestion,
     /// Input files of each base scene.
     pub files: Vec<Disk>,

@@ -9,9 +9,9 @@ use gaitcam::sweep::{Outcome, Records};
 /// Numbers of rows of a sweep by outcome and verdict.
 #[derive(Debug, Clone, Default)]
 pub struct Counts {
-    /// Number of rows.
+    /// Number of counted rows.
     pub rows: u64,
-    /// Number of designed cams.
+    /// Number of rows with a designed cam.
     pub built: u64,
     /// Number of cams with the verdict "acceptable".
     pub acceptable: u64,
@@ -26,7 +26,7 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// Counts of computed rows.
+    /// Counts the rows of `records` by outcome and verdict.
     pub fn of(records: &Records) -> Counts {
         let columns = ["outcome", "verdict", "error"].map(|name| records.words(name));
         let first = records.first_row().unwrap_or(0);

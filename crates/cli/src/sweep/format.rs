@@ -11,7 +11,7 @@ use gaitcam_app::read::cannot_be_read;
 #[cfg(feature = "parquet")]
 use gaitcam_output::parquet;
 
-/// File format of a table.
+/// File format of a sweep table and of its blocks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
     /// Comma-separated values.

@@ -239,7 +239,7 @@ fn picture(
     write_whole(&place.with_extension("png"), &picture.png())
 }
 
-/// Minimum and maximum of the values.
+/// Minimum and maximum of the values. An empty list gives +∞ and −∞.
 pub fn ends(values: &[f64]) -> [f64; 2] {
     let ends = [f64::INFINITY, f64::NEG_INFINITY];
     values

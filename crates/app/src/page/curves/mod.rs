@@ -49,7 +49,7 @@ pub struct Curves {
     pub start: f64,
     /// Angle of one turn, or length of the travel, in `unit`.
     pub length: f64,
-    /// Unit of the cam angle or travel.
+    /// Unit of the cam angle or travel, such as `°`.
     pub unit: &'static str,
     /// Diagrams of the page. The first one shows the force.
     pub panels: Vec<Panel>,
@@ -64,11 +64,11 @@ pub struct Curves {
 pub struct Panel {
     /// Name of the quantity in JSON data: `force`, `s`, `v` …
     pub id: &'static str,
-    /// Unit of the values in the diagram.
+    /// Unit of the values in the diagram, such as `mm`.
     pub unit: &'static str,
     /// Curves of the diagram, each with its role: `main`, `target`, `low`, `high` or `worst`.
     pub lines: Vec<Line>,
-    /// Horizontal lines that show the limits.
+    /// Horizontal lines of the diagram, which show limits or the nominal speed.
     pub levels: Vec<Level>,
 }
 

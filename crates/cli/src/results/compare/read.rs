@@ -18,9 +18,9 @@ pub struct Design {
     pub folder: PathBuf,
     /// Content of summary.json as JSON.
     pub summary: Value,
-    /// Columns of law.csv.
+    /// Columns of law.csv. They are empty for a result without a cam.
     pub law: Columns,
-    /// Columns of profile.csv.
+    /// Columns of profile.csv. They are empty for a result without a cam.
     pub profile: Columns,
 }
 
@@ -79,7 +79,7 @@ impl Design {
 /// Table of numbers with named columns. Empty fields are NaN.
 #[derive(Default)]
 pub struct Columns {
-    /// Names of the columns.
+    /// Names of the columns, which end with their units.
     pub names: Vec<String>,
     /// Values of the table, row by row.
     pub rows: Vec<Vec<f64>>,

@@ -14,7 +14,7 @@ const KEPT_ROWS: usize = 60_000;
 /// Values of one varied key in the sample.
 #[derive(Debug, Clone, Default)]
 pub struct Input {
-    /// Index of the column in the table.
+    /// Index of the key's column in the table.
     pub column: usize,
     name: String,
     values: Vec<f64>,

@@ -21,7 +21,7 @@ const DRAWN: usize = 3000;
 /// A picture of the page, as a tuple: file name without ending, heading, picture.
 type Drawn = (&'static str, String, Picture);
 
-/// Writes the pictures and report.html.
+/// Writes the pictures of the front, and the page report.html that contains them.
 pub fn write(
     file: &Path,
     folder: &Folder,
