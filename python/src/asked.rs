@@ -1,4 +1,4 @@
-//! Options of the files of a design, as keyword arguments.
+//! Conversion of keyword arguments to the options of a design's files.
 
 use gaitcam::error::Placed;
 use gaitcam::units::{Dimension, parse};
@@ -12,7 +12,7 @@ use pyo3::types::PyDict;
 use crate::convert;
 use crate::error::{Raise, argument};
 
-/// Minimum number of rows in a table.
+/// Minimum number of rows of the tables `law` and `profile`.
 const FEWEST_ROWS: usize = 16;
 
 /// Names of the options for the files of a design.
@@ -20,7 +20,7 @@ const NAMES: [&str; 8] = [
     "points", "png", "solid", "tool", "wire", "dxf", "cut_only", "lang",
 ];
 
-/// Converts keyword arguments to the options of the files. `png` is the default of the option of that name.
+/// Converts keyword arguments to the options of the files. `png` is the default of the option `png`.
 pub fn contents(
     py: Python<'_>,
     options: Option<&Bound<'_, PyDict>>,
@@ -78,7 +78,7 @@ fn curves(py: Python<'_>, word: &str) -> PyResult<Curves> {
     }
 }
 
-/// Language with the tag `en` or `es`; any other tag is an error.
+/// Language with the tag `en` or `es`. Any other tag is an error.
 pub fn language(py: Python<'_>, tag: &str) -> PyResult<Language> {
     Language::of_tag(tag).ok_or_else(|| {
         argument(

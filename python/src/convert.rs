@@ -15,7 +15,7 @@ use crate::error::{argument, raised};
 /// Return value of `__reduce__`: a function, and the arguments with which it restores the object.
 pub type Reduced<'py, T> = PyResult<(Bound<'py, PyAny>, T)>;
 
-/// Converts a mapping to the table of a scene. `at` is the dotted key of the table; it is empty for the whole scene.
+/// Converts a mapping to the table of a scene. `at` is the dotted key of the table, or empty for the whole scene.
 pub fn table(mapping: &Bound<'_, PyDict>, at: &str) -> PyResult<Table> {
     let mut out = Table::new();
     for (key, value) in mapping {
@@ -50,13 +50,13 @@ pub fn entry(key: String, given: &Bound<'_, PyAny>) -> PyResult<(String, Value)>
     Ok((quantity.name().to_string(), Value::String(text)))
 }
 
-/// Key and unit of a name that ends in an SI unit; `None` for other names, and for names that are keys of scenes.
+/// Key and unit of a name that ends in an SI unit. `None` for other names, and for names that are themselves keys of scenes.
 pub fn si_key(name: &str) -> Option<Key> {
     let key = Key::of_column(name);
     (key.is_number() && scene::keys::find(name).is_none()).then_some(key)
 }
 
-/// Class of this package whose objects are accepted as arguments.
+/// Class of this package. Functions accept its objects as arguments.
 pub trait Argument: PyClass {
     /// Text for error messages that describes how to create such an object.
     const MADE: &'static str;
@@ -140,7 +140,7 @@ where
 ///
 /// # Errors
 ///
-/// `TypeError` for an unknown option; the message contains the known names.
+/// `TypeError` for an unknown option. The message contains the valid names.
 pub fn options<'py>(
     py: Python<'py>,
     given: Option<&Bound<'py, PyDict>>,

@@ -18,16 +18,16 @@ use crate::scene::Scene;
 use crate::synth::asked;
 use crate::table::Table;
 
-/// Designs several cams for a population of walkers, and computes the errors for each number of cams.
+/// Designs sets of cams for a population of walkers, and computes the force errors for each number of cams.
 ///
 /// Each walker is assigned to one cam. Cross-validation estimates the errors for new walkers.
 ///
 /// Parameters
 /// ----------
 /// scene : Scene, optional
-///     Scene with the machine, its limits, ``law.robust`` and ``gait.adjust``; the built-in footbridge by default.
+///     Scene with the machine, its limits, ``law.robust`` and ``gait.adjust``. The default is the built-in footbridge.
 /// forces : sequence of Force, optional
-///     Cycles of the walkers, instead of those in the scene. Forces of the same name are cycles of one walker.
+///     Cycles of the walkers, which replace those in the scene. Forces with the same name are cycles of one walker.
 /// cams : int
 ///     Maximum number of cams. All numbers from 1 to ``cams`` are computed, but not more than one cam per walker.
 /// time_limit : float
@@ -36,9 +36,9 @@ use crate::table::Table;
 /// Returns
 /// -------
 /// Cover
-///     Object with three tables and the designs. ``cams`` contains the mean error, the worst error and the lower bound for each
-///     number of cams. ``assignment`` contains the cam of each cycle, numbered from 1, and its error. ``folds`` contains the
-///     errors of walkers with cams that were designed without them. ``designs[k - 1][i - 1]`` is cam i of the cover with k cams.
+///     Object with three tables and the designs. ``cams`` contains the mean error, the maximum error and the lower bound for
+///     each number of cams. ``assignment`` contains the cam of each cycle, numbered from 1, and its error. ``folds`` contains
+///     the errors of walkers with cams that were designed without them. ``designs[k - 1][i - 1]`` is cam i of the set of k cams.
 ///
 /// Raises
 /// ------
@@ -88,7 +88,7 @@ pub fn cover<'py>(
     class.call1((cams, assignment, folds, designs?))
 }
 
-/// Converts the cams of a cover to designs, each for the walkers that are assigned to it.
+/// Converts the cams of a set to designs. Each design contains the forces of the walkers that are assigned to its cam.
 fn of_cover(
     py: Python<'_>,
     scene: &Scene,

@@ -30,7 +30,7 @@ use crate::table::Table;
 /// A finished design: law of motion, cam, checks and verdict.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Design {
-    /// Result of the design, or the reason why it has no cam.
+    /// Designed cam, or the reason why the scene has no cam.
     pub(crate) outcome: Outcome,
     /// Scene of the design, in which the given force is part of `[gait]`.
     pub input: Input,
@@ -38,9 +38,9 @@ pub struct Design {
     pub(crate) force: Option<Force>,
     pub(crate) time: Timing,
     pub(crate) time_limit: f64,
-    /// Force error before the correction, and the predicted error after it; `None` unless the design is a result of `recut`.
+    /// Force error before the correction, and predicted force error after it. `None` unless the design is a result of `recut`.
     pub(crate) recut: Option<Recut>,
-    /// Paths of the log files from which the cam was corrected.
+    /// Paths of the log files that were used to correct the cam.
     pub(crate) logs: Vec<PathBuf>,
 }
 
@@ -49,7 +49,7 @@ impl Argument for Design {
 }
 
 impl Design {
-    /// The design, also if it violates limits. A scene without a cam is an error.
+    /// The design, even if it violates limits. A scene without a cam is an error.
     pub fn shown(&self) -> PyResult<&gaitcam::synth::Design> {
         match &self.outcome {
             Outcome::Built(design) => Ok(design),
@@ -57,7 +57,7 @@ impl Design {
         }
     }
 
-    /// The design with a cam that can be manufactured. An infeasible scene is an error.
+    /// The design, if its cam can be manufactured. An infeasible scene is an error.
     pub fn cam(&self, py: Python<'_>) -> PyResult<&gaitcam::synth::Design> {
         let design = self.shown()?;
         match &design.infeasible {
@@ -115,7 +115,7 @@ impl Design {
         }
     }
 
-    /// Reasons for the verdict, as sentences.
+    /// Reasons for the verdict, as sentences in the language ``lang`` ("en" or "es").
     #[pyo3(signature = (lang = "en"))]
     fn reason(&self, py: Python<'_>, lang: &str) -> PyResult<String> {
         Ok(self.said(language(py, lang)?))
@@ -151,7 +151,7 @@ impl Design {
         Ok(Table::of_numbers(columns))
     }
 
-    /// Force errors of all cycles of several walkers, as in ``walkers.csv``; no rows for a single force.
+    /// Force errors of all cycles of several walkers, as in ``walkers.csv``. The table has no rows for a single force.
     #[getter]
     fn walkers(&self) -> PyResult<Table> {
         let records = output::csv::walkers(self.shown()?);
@@ -253,7 +253,7 @@ impl Design {
         written.raise(py)
     }
 
-    /// Files of :meth:`save` in memory, as a dictionary that maps names to bytes. The options are those of :meth:`save`.
+    /// Files that :meth:`save` writes, as a dictionary that maps file names to bytes. The options are the options of :meth:`save`.
     #[pyo3(signature = (**options), text_signature = "($self, *, points=1440, png=False, solid=False, tool=None, wire=None, dxf='arcs', \
         cut_only=False, lang='en')")]
     fn files<'py>(
@@ -288,7 +288,7 @@ impl Design {
     /// dialect : str
     ///     Kind of controller: "codesys", "twincat", "segments", "rockwell" or "csv".
     /// points : int, optional
-    ///     Number of equal intervals per cycle. By default it is chosen so that the motion reproduces the law.
+    ///     Number of equal intervals per cycle. By default it is the smallest number that reproduces the law.
     ///
     /// Returns
     /// -------
@@ -325,10 +325,10 @@ impl Design {
     /// Parameters
     /// ----------
     /// ax : matplotlib.axes.Axes, optional
-    ///     Axes for the plot; new axes by default.
+    ///     Axes for the plot. By default, new axes are created.
     /// what : str
-    ///     "force" plots the force and its target (N) over the cam angle (°), "law" the lift (mm) over the cam angle,
-    ///     and "profile" the profile of the cam (mm).
+    ///     "force" plots the force and its target (N) over the cam angle (°). "law" plots the lift (mm) over the cam angle. "profile" plots
+    ///     the profile of the cam (mm).
     ///
     /// Returns
     /// -------
@@ -371,7 +371,7 @@ impl Design {
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, (Scene, Option<Force>, f64)> {
-        // A design is determined by its inputs, so only these are pickled.
+        // The inputs determine a design, so only the inputs are pickled.
         let restore = py.get_type::<Design>().getattr("_restore")?;
         let question = (self.asked.clone(), self.force.clone(), self.time_limit);
         Ok((restore, question))

@@ -66,7 +66,7 @@ pub fn doctor<'py>(
     convert::json(py, &Value::from(rows))
 }
 
-/// Dictionary of a finding; `None` for a part without errors. The verdict of a design is always included.
+/// Dictionary of a finding; `None` for a valid part. The verdict of a design is always included.
 fn row(finding: &Finding, language: Language) -> Option<Value> {
     let words = catalogue(language);
     let mark = match finding.mark() {

@@ -28,7 +28,7 @@ create_exception!(
 
 /// Class of the exception for a panic: `gaitcam.InternalError`, which `except Exception` catches.
 ///
-/// pyo3 raises this exception for a panic in any function or method, so that the functions need no code for panics.
+/// pyo3 raises this exception for a panic in any function or method. The functions therefore need no code for panics.
 pub fn internal(py: Python<'_>) -> PyResult<Bound<'_, PyType>> {
     let own = py.get_type::<PanicException>();
     own.setattr("__bases__", (py.get_type::<PyRuntimeError>(),))?;
@@ -63,7 +63,7 @@ pub fn raised(py: Python<'_>, fault: Error) -> PyErr {
     }
 }
 
-/// Key or argument at which an error occurred, without the file; `None` for an error at another place.
+/// Key or argument at which an error occurred, without the file; `None` for an error without a key or argument.
 pub fn key(place: &Place) -> Option<String> {
     match place {
         Place::Key(key) => Some(key.rsplit(": ").next().unwrap_or(key).to_string()),
@@ -84,7 +84,7 @@ impl<T> Raise<T> for gaitcam::error::Result<T> {
     }
 }
 
-/// Exception for an invalid value of the argument `name`; `what` is the message.
+/// Exception for an invalid value of the argument `name`. `what` is the message.
 pub fn argument(py: Python<'_>, name: &str, what: String) -> PyErr {
     let fault = Error::own("python-argument", what).at_key(name);
     raised(py, fault)

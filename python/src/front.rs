@@ -9,7 +9,7 @@ use crate::convert::{self, Reduced};
 use crate::error::Raise;
 use crate::html;
 
-/// Pareto front: the non-dominated designs of a table.
+/// Pareto front of a table of designs, which contains the non-dominated designs.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Front {
     names: Vec<String>,
@@ -19,7 +19,7 @@ pub struct Front {
     left_out: usize,
 }
 
-/// Fields of a front, for pickling.
+/// State of a front for pickling: objectives, row indices, best row, values, and number of excluded designs.
 type State = (Vec<String>, Vec<i64>, Option<i64>, Vec<Vec<f64>>, usize);
 
 /// One column name, or a list of column names.
@@ -38,15 +38,15 @@ impl Names {
     }
 }
 
-/// Pareto front of a table of designs: the designs that no other design dominates.
+/// Computes the Pareto front of a table of designs: all designs that no other design dominates.
 ///
 /// Parameters
 /// ----------
 /// table
 ///     Table of a sweep: a table of gaitcam, pandas, polars or pyarrow, or a dictionary that maps names to columns.
 /// minimise, maximise : str or list of str
-///     Objectives: names of columns, or the first part of the names: ``["force_error", "torque_max"]``. By default, force
-///     error and prime radius are minimised.
+///     Objectives: full column names, or their first parts, such as ``["force_error", "torque_max"]``. By default, force error and prime
+///     radius are minimised.
 /// low_speed : bool
 ///     Include designs that are not for high speed.
 /// all : bool
@@ -124,10 +124,10 @@ fn names(table: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
     convert::keys(table, "table")
 }
 
-/// Values of a text column; a missing value becomes an empty text.
+/// Values of a text column. A missing value becomes an empty text.
 fn words(table: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<String>> {
     let column = table.get_item(name)?;
-    // Values of pyarrow are not Python strings.
+    // The values of a pyarrow column are not Python strings, so the column is converted to a list.
     let column = match column.call_method0("to_pylist") {
         Ok(list) => list,
         Err(_) => column,
@@ -158,8 +158,8 @@ impl Front {
         self.names.clone()
     }
 
-    /// Row index of the best compromise; ``None`` for an empty front. It is the design nearest to the ideal point, with each objective scaled
-    /// to the range 0 … 1 over the front.
+    /// Row index of the best compromise; ``None`` for an empty front. The best compromise is the design nearest to the ideal point. Each
+    /// objective is scaled to the range 0 … 1 over the front.
     #[getter]
     fn best(&self) -> Option<i64> {
         self.best

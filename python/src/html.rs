@@ -2,7 +2,7 @@
 
 use gaitcam_base::text::escaped;
 
-/// Maximum number of rows of a table that are displayed: one half from the start, the other half from the end.
+/// Maximum number of displayed rows of a table. One half is from the start of the table, the other half from its end.
 const SHOWN: usize = 10;
 
 /// HTML paragraph with a name in bold and its description.
@@ -15,7 +15,7 @@ pub fn fixed(text: &str) -> String {
     format!("<pre>{}</pre>", escaped(text))
 }
 
-/// HTML table with column names, and with the first and the last of `count` rows. `cells` returns the cells of a row.
+/// HTML table with column names and the first and last rows. `count` is the number of all rows. `cells` returns the cells of a row.
 pub fn table(names: &[String], count: usize, cells: impl Fn(usize) -> Vec<String>) -> String {
     let line = |tag: &str, cells: &[String]| {
         let cells = cells

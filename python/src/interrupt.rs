@@ -11,13 +11,13 @@ use pyo3::prelude::*;
 
 /// Minimum time between two checks for Python signals.
 const LOOK: Duration = Duration::from_millis(50);
-/// Maximum time limit, s. A longer limit is replaced by it.
+/// Maximum time limit, s. A longer limit is reduced to this value.
 const LONGEST_S: f64 = 1e9;
 
-/// Function that is called at every check for Python signals. An error of the function ends the search.
+/// Callback that is called at every check for Python signals. An error of the callback ends the search.
 type Watch = Box<dyn Fn(Python<'_>) -> PyResult<()> + Send + Sync>;
 
-/// Stop condition of a search: a time limit, or an exception raised by a signal handler or by the callback.
+/// Stop condition of a search: a time limit, or an exception that a signal handler or the callback raised.
 pub struct Interrupt {
     begun: Instant,
     limit: Duration,
@@ -52,7 +52,7 @@ impl Interrupt {
         })
     }
 
-    /// Stop condition of type [`Halt`], which searches check repeatedly.
+    /// Stop condition as a [`Halt`], which searches check repeatedly.
     pub fn halt(self: &Arc<Self>) -> Halt {
         let own = Arc::clone(self);
         Halt::when(move || own.begun.elapsed() >= own.limit || own.is_raised())
@@ -84,7 +84,7 @@ impl Interrupt {
         is_raised
     }
 
-    /// Raises the exception that ended the search, if there is one.
+    /// Returns the exception that ended the search as an error, if there is one.
     pub fn result(&self) -> PyResult<()> {
         let raised = self.state.lock().ok().and_then(|mut s| s.raised.take());
         raised.map_or(Ok(()), Err)

@@ -11,8 +11,9 @@ use crate::error::Raise;
 
 /// A law of motion. ``law(theta)`` returns lift, velocity, acceleration and jerk, each with the shape of ``theta``.
 ///
-/// The lift s is in m (for an oscillating follower: rad). The other results are its exact derivatives with respect to the cam angle, m/rad, m/rad²,
-/// m/rad³. ``theta`` is in rad, and any number of turns is allowed. A law of the catalogue is normalised: from 0 to 1 over 0 ≤ x ≤ 1.
+/// The lift s is in m, or in rad for an oscillating follower. The other results are its exact derivatives with respect to the cam angle:
+/// m/rad, m/rad², m/rad³. ``theta`` is in rad, and any number of turns is allowed. A law of the catalogue is normalised: its lift increases
+/// from 0 to 1 while ``theta`` increases from 0 to 1.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Law {
     name: String,
@@ -21,17 +22,17 @@ pub struct Law {
     origin: Origin,
 }
 
-/// Origin of a law. Only the origin is pickled; the law is computed again when it is unpickled.
+/// Origin of a law. Only the origin is pickled. The law is computed again from it when it is unpickled.
 enum Origin {
     /// Law of the catalogue, given by its name.
     Catalogue,
-    /// Motion programme: motion, lift (m) and angle (rad) of each segment.
+    /// Motion programme. Each segment has the name of its motion, its lift (m) and its angle (rad).
     Program(Vec<(String, f64, f64)>),
     Design(Py<PyAny>),
 }
 
 impl Law {
-    /// Law of a design, which is pickled together with the design.
+    /// Creates the law of a design. The law is pickled together with the design.
     pub fn of_design(name: &str, law: law::Law, design: Py<PyAny>) -> Law {
         Law {
             name: name.to_string(),
@@ -51,7 +52,7 @@ impl Law {
     }
 }
 
-/// Evaluates N functions at an array of angles. The resulting arrays have the shape of `theta`.
+/// Evaluates N functions at an array of angles. `of` returns the N values at one angle. The resulting arrays have the shape of `theta`.
 pub fn shaped<'py, const N: usize>(
     theta: &Bound<'py, PyAny>,
     mut of: impl FnMut(f64) -> [f64; N],
@@ -101,7 +102,7 @@ impl Law {
         svaj.call1((s, v, a, j))
     }
 
-    /// Name of the law, followed by its parameters for a law of the catalogue.
+    /// Name of the law. For a law of the catalogue, the name includes its parameters.
     #[getter]
     fn name(&self) -> &str {
         &self.name
@@ -131,8 +132,8 @@ impl Law {
         PyArray1::from_slice(py, self.law.breaks())
     }
 
-    /// Minimum and maximum of lift (0), velocity (1), acceleration (2) or jerk (3), each with its cam angle: ``((least, at), (most, at))``. They
-    /// are computed from the continuous law.
+    /// Minimum and maximum of lift (0), velocity (1), acceleration (2) or jerk (3), each with its cam angle in rad. The result is
+    /// ``((least, at), (most, at))``. The extrema are computed from the continuous law and not from samples.
     fn extremes(
         &self,
         py: Python<'_>,
@@ -186,7 +187,8 @@ pub fn laws(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
 
 /// Law that consists of segments over one turn: ``program([("cycloidal", "20 mm", "120 deg"), ("dwell", 0, "60 deg"), ...])``.
 ///
-/// Each segment is a motion of the catalogue with its lift (negative for a fall) and its angle. Numbers are in m and rad; texts have a unit.
+/// Each segment is a motion of the catalogue with its lift (negative for a fall) and its angle. Numbers are in m and rad. Texts have a
+/// unit.
 #[pyfunction]
 pub fn program(
     py: Python<'_>,

@@ -19,7 +19,7 @@ mod sweep;
 mod synth;
 mod table;
 
-// These crates are used only to enable their features; see Cargo.toml.
+// These crates are used only to enable their features (see Cargo.toml).
 #[cfg(target_os = "linux")]
 use {getrandom as _, libc as _, rustix as _, serde_core as _};
 

@@ -14,9 +14,9 @@ use crate::error::{Raise, raised};
 
 /// A scene: target force, drive (relation between lift and force), law of motion, cam and limits.
 ///
-/// ``Scene({"drive": {"mass": "8 kg"}, ...})`` takes the sections of a scene file. Quantities are texts with their unit, or numbers if the key ends
-/// with the SI unit: ``"mass_kg": 8.0``. A scene without a force gets its force from the arguments of :func:`synth`; ``Scene()`` is empty. Scenes
-/// are immutable: ``set`` returns a new scene.
+/// ``Scene({"drive": {"mass": "8 kg"}, ...})`` takes the sections of a scene file. Quantities are texts with their unit, or numbers if the
+/// key ends with the SI unit: ``"mass_kg": 8.0``. ``Scene()`` is empty. If a scene contains no force, an argument of :func:`synth` must
+/// define the force. Scenes are immutable: ``set`` returns a new scene.
 #[pyclass(frozen, module = "gaitcam", eq)]
 #[derive(Clone)]
 pub struct Scene {
@@ -34,7 +34,7 @@ impl PartialEq for Scene {
 }
 
 impl Scene {
-    /// Scene with the given table. `synth` or a sweep can add the force later.
+    /// Creates a scene with the given table. `synth` or a sweep can add the force later.
     pub fn of_table(
         py: Python<'_>,
         table: toml::Table,
@@ -68,7 +68,7 @@ impl Scene {
         })
     }
 
-    /// Scene that is complete: it defines its force or its motion programme.
+    /// Creates a complete scene, which defines its force or its motion programme.
     pub fn of_input(input: Input) -> Scene {
         Scene {
             input,
@@ -88,7 +88,7 @@ impl Scene {
         }
     }
 
-    /// The given scene; without a scene, the built-in footbridge.
+    /// The given scene, or the built-in footbridge if no scene is given.
     pub fn or_default(py: Python<'_>, scene: Option<&Scene>) -> PyResult<Scene> {
         match scene {
             Some(scene) => Ok(scene.clone()),
@@ -128,7 +128,7 @@ impl Scene {
         Scene::of_table(py, table, Disk::beside(&path), Some(path))
     }
 
-    /// Built-in scene with the given name; see :meth:`builtins`.
+    /// Built-in scene with the given name (see :meth:`builtins`).
     #[staticmethod]
     fn builtin(py: Python<'_>, name: &str) -> PyResult<Scene> {
         let table = parse(scene::built_in(name).raise(py)?.toml, None).raise(py)?;
@@ -160,7 +160,7 @@ impl Scene {
         self.changed(py, changes)
     }
 
-    /// Scene as nested dictionaries that ``Scene(...)`` accepts. Paths are absolute.
+    /// Scene as nested dictionaries, which ``Scene(...)`` accepts. Paths are absolute.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let table = serde_json::to_value(self.input.resolved()).unwrap_or_default();
         convert::json(py, &table)

@@ -27,7 +27,7 @@ use question::Question;
 /// Parameters
 /// ----------
 /// scene : Scene or list of Scene, optional
-///     Base scenes; the built-in footbridge by default.
+///     Base scenes. The default is the built-in footbridge.
 /// force : Force, optional
 ///     Target force that replaces the forces of all scenes.
 /// vary : dict, optional
@@ -39,7 +39,7 @@ use question::Question;
 ///     ``gait.file`` may be a folder of walkers or a list of files.
 /// rows : mapping, optional
 ///     Keys with lists of values that are combined row by row. Columns of a gaitcam table can be used with their own names,
-///     such as ``limits.stroke_m``; they contain numbers in SI units.
+///     such as ``limits.stroke_m``. These columns contain numbers in SI units.
 /// recordings : list of paths, optional
 ///     Paths of recordings. Each is combined with all other values.
 /// sample : int, optional
@@ -49,8 +49,8 @@ use question::Question;
 /// seed : int
 ///     Seed of the random number generator.
 /// tolerance : dict, optional
-///     Manufacturing tolerances of a single design: ``{"profile": "0.02 mm", "mass": "1 %"}``. Each row is one of ``sample``
-///     randomly manufactured cams. Tolerances cannot be combined with varied keys.
+///     Manufacturing tolerances of a single design: ``{"profile": "0.02 mm", "mass": "1 %"}``. Each row is a cam with random deviations
+///     within the tolerances, and ``sample`` is the number of cams. Tolerances cannot be combined with varied keys.
 /// time_limit : float
 ///     Time limit of the search for one row, s. If it is reached, the row contains an error. Only such a row
 ///     can depend on the speed of the machine.
@@ -116,11 +116,11 @@ impl Sweep {
         })
     }
 
-    /// Computes the rows from ``start`` to ``stop`` - 1 (by default all rows). The result is a table whose first column is ``row``.
+    /// Computes the rows from ``start`` to ``stop`` - 1 (by default all rows). The first column of the resulting table is ``row``.
     ///
-    /// ``jobs`` is the number of threads, by default one per core. ``progress(begun, rows)`` is called about twenty times per second and at the
-    /// end. ``begun`` is the number of rows that have been started; ``rows`` is the number of rows of this call. An exception in ``progress``
-    /// ends the computation.
+    /// ``jobs`` is the number of threads, by default one per core. ``progress(begun, rows)`` is called about twenty times per second and at
+    /// the end. ``begun`` is the number of rows that have been started. ``rows`` is the number of rows of this call. An exception in
+    /// ``progress`` ends the computation.
     #[pyo3(signature = (start = 0, stop = None, *, jobs = None, progress = None))]
     fn run(
         &self,
@@ -164,8 +164,8 @@ impl Sweep {
         Ok(Table::new(records, self.sweep.metadata()))
     }
 
-    /// Opens or creates the folder of this sweep. Returns the missing blocks. Each block is given by its first row, the row after its last row, and
-    /// its file.
+    /// Opens or creates the folder of this sweep and returns the missing blocks. Each block is a tuple of its first row, the row after its
+    /// last row, and the path of its file.
     ///
     /// Raises
     /// ------

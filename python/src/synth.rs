@@ -23,12 +23,12 @@ use crate::scene::Scene;
 /// Parameters
 /// ----------
 /// scene : Scene, optional
-///     Scene to design; the built-in footbridge by default.
+///     Scene to design. The default is the built-in footbridge.
 /// force : Force, optional
 ///     Target force that replaces the force of the scene.
 /// forces : sequence of Force, optional
 ///     Cycles of several walkers. One cam is designed for all of them, with the objective ``law.robust`` and the adjustment
-///     ``gait.adjust``. Forces of the same name are cycles of one walker. ``summary["population"]`` contains the errors.
+///     ``gait.adjust``. Forces with the same name are cycles of one walker. ``summary["population"]`` contains the errors.
 /// time_limit : float
 ///     Time limit of the search, s. When it is reached, the best result so far is used.
 ///
@@ -55,9 +55,10 @@ pub fn synth(
     answer(py, scene, force, time_limit)
 }
 
-/// Scene and force from the arguments of a call. The default scene is the built-in footbridge. The force is `None` if the force of the scene is used.
+/// Scene and force from the arguments of a call. The default scene is the built-in footbridge. If no force is given, the returned force is
+/// `None`, and the scene defines the force.
 ///
-/// If there are several forces, the forces of walkers that the scene excludes by name are omitted.
+/// If several forces are given, the forces of walkers that the scene excludes by name are omitted.
 pub(crate) fn asked(
     py: Python<'_>,
     scene: Option<&Bound<'_, PyAny>>,

@@ -14,7 +14,7 @@ use crate::html;
 /// Pairs of keys and values of the metadata.
 type Pairs = Vec<(String, String)>;
 
-/// Text column as codes, and the list of distinct words to which the codes refer.
+/// Text column as integer codes, and the list of distinct words. A code is an index of this list, or -1 for a missing word.
 type Coded<'py> = (Bound<'py, PyAny>, Bound<'py, PyList>);
 
 /// A table with named columns of equal length.
@@ -27,7 +27,7 @@ type Coded<'py> = (Bound<'py, PyAny>, Bound<'py, PyList>);
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Table {
     records: Records,
-    /// Keys and values that are exported together with the table.
+    /// Pairs of keys and values that are exported together with the table.
     metadata: Pairs,
 }
 
@@ -225,7 +225,7 @@ fn texts<'py>(py: Python<'py>, words: &Words) -> PyResult<Bound<'py, PyAny>> {
     Ok(PyList::new(py, words.codes.iter().map(word))?.into_any())
 }
 
-/// Converts the values of a column: numbers, or strings, some of which may be missing.
+/// Converts the values of a column, which are numbers or strings. Strings may be missing.
 fn read(name: &str, values: &Bound<'_, PyAny>) -> PyResult<Field> {
     if name == "row"
         && let Ok(rows) = values.extract::<Vec<u64>>()

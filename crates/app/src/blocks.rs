@@ -43,7 +43,8 @@ impl Blocks {
     ///
     /// # Errors
     ///
-    /// The folder is not writable; it contains another sweep (the error lists all differences, in `language`); it contains blocks but no plan.
+    /// The folder is not writable, contains another sweep, or contains blocks but no plan. For another sweep, the error lists all
+    /// differences, in `language`.
     pub fn open(
         folder: &Path,
         plan: &Value,
@@ -108,7 +109,7 @@ impl Blocks {
     }
 }
 
-/// Sweep whose blocks of equal length are computed by several processes.
+/// Blocks of a sweep that several processes compute. All blocks except the last have the same number of rows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SharedBlocks {
     /// Folder with the blocks of the sweep.
@@ -141,13 +142,13 @@ impl SharedBlocks {
         })
     }
 
-    /// Row ranges of all blocks.
+    /// Row ranges of all blocks in increasing order, including the blocks without a file.
     fn all(&self) -> impl Iterator<Item = Range<u64>> {
         let starts = (0..self.rows).step_by(self.block_rows as usize);
         starts.map(|start| start..(start + self.block_rows).min(self.rows))
     }
 
-    /// Row ranges of the blocks without a file. The contents of the files are not checked.
+    /// Row ranges of the blocks for which no file exists. The contents of existing files are not checked.
     ///
     /// # Errors
     ///
@@ -157,8 +158,9 @@ impl SharedBlocks {
         Ok(self.all().filter(|rows| !present.contains(rows)).collect())
     }
 
-    /// Row ranges of the missing and incomplete blocks of one share. The blocks are divided into `parts` equal shares, and `part` is the number of
-    /// the share. Consecutive blocks belong to different shares. Shares are numbered from 1; number 0 also means the share `parts`.
+    /// Row ranges of the missing and incomplete blocks of one share. The blocks are divided into `parts` equal shares, and `part` is the
+    /// number of the share. Consecutive blocks belong to different shares. Shares are numbered from 1. Share 0 is the same as share
+    /// `parts`.
     ///
     /// # Errors
     ///
@@ -227,7 +229,7 @@ fn tail(path: &Path) -> std::io::Result<[u8; 4]> {
     Ok(bytes)
 }
 
-/// Whether a block contains the rows in its name: a CSV file has a line for each row, and a Parquet file has its end mark.
+/// Whether a block contains all rows in its name. A CSV file must have a line for each row. A Parquet file must have its end mark.
 fn is_complete(path: &Path, rows: &Range<u64>) -> bool {
     if path.extension().is_some_and(|ending| ending == "parquet") {
         return tail(path).is_ok_and(|bytes| &bytes == b"PAR1");
@@ -238,7 +240,8 @@ fn is_complete(path: &Path, rows: &Range<u64>) -> bool {
     })
 }
 
-/// Ranges of rows that are missing in the folder: gaps between the complete blocks, and all rows after the last one.
+/// Ranges of rows for which the folder contains no complete block. The rows after the last block are included only if the folder has a
+/// plan.
 ///
 /// # Errors
 ///

@@ -28,7 +28,7 @@ pub fn summary(design: &Design, scene: &toml::Table, time: Timing) -> Value {
     out
 }
 
-/// Content of `summary.json` for a scene without a cam: the reason, and the key that causes it.
+/// Content of `summary.json` for a scene without a cam: the reason, the key that causes it, and the scene.
 pub fn summary_without_cam(name: &str, error: &Error, scene: &toml::Table, total_s: f64) -> Value {
     let mut out = json::summary_without_cam(name, error, total_s);
     out["scene"] = serde_json::to_value(scene).unwrap_or_default();
@@ -57,9 +57,9 @@ pub fn put_on(design: Design, scene: &Scene) -> Result<(Design, Option<Error>)> 
     };
     let mut gait = gait.clone();
     gait.step_frequency = match gait.step_frequencies.take() {
-        // For several walkers: the step frequency at this speed selects the walker.
+        // The scene has several walkers with different step frequencies. The step frequency at the new speed selects one of them.
         Some(_) => step_frequency(&design),
-        // Rounded, because the frequency is part of the name of the target.
+        // The frequency is rounded, because it is part of the name of the target.
         None => gait
             .step_frequency
             .map(|f| (faster * f * 1e9).round() / 1e9),
@@ -90,7 +90,7 @@ pub fn put_under(design: Design, scene: &Scene, force: &ForceCurve) -> Result<De
     Ok(design.moved_to(problem.drive, target))
 }
 
-/// Keys and values of `law` for one cam of a cover: the objective of the cam, and the family and size that all cams share.
+/// Keys of `law` and their values for one cam of a set. Each cam has its own objective. All cams have the same law family and size.
 pub fn law_of_cam(cover: &Cover, cam: usize) -> Vec<(&'static str, toml::Value)> {
     let law = &cover.scene.law;
     let objective = cover.cams[cam].population.as_ref();
@@ -153,11 +153,11 @@ pub fn write_scene(folder: &ResultFolder, input: &Input, text: &str) -> Result<(
     folder.write(name, text.as_bytes())
 }
 
-/// Checks that a design does not replace one of its own inputs in this folder. `more` contains inputs that the scene does not name.
+/// Checks that a design does not replace one of its own inputs in this folder. `more` contains inputs that are not in the scene.
 ///
 /// # Errors
 ///
-/// An input would be replaced; the error contains its path.
+/// An input would be replaced. The error contains its path.
 pub fn check_inputs_stay(folder: &Path, input: &Input, more: &[PathBuf]) -> Result<()> {
     let paths = input.paths()?;
     let paths = paths.iter().chain(more);

@@ -1,4 +1,4 @@
-//! Access to files on the disk by their names in a scene.
+//! Access to files on the disk by their file names in a scene.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -11,8 +11,8 @@ use toml::Table;
 use crate::read::{read_bytes, read_motion};
 use crate::recordings::inside;
 
-/// Access to files on the disk by their names in a scene. A file is looked up first in the folder of the scene file, then among the built-in files,
-/// then in the working directory. A built-in scene has no folder.
+/// Access to files on the disk by their file names in a scene. A file is looked up first in the folder of the scene file, then among the
+/// built-in files, then in the working directory. A built-in scene has no folder.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Disk {
     /// Folder of the scene file; `None` for a built-in scene.
@@ -34,7 +34,8 @@ impl Disk {
         beside.exists().then_some(beside)
     }
 
-    /// Path of the file with this name in a scene; `None` for a built-in file.
+    /// Path of the file with this name in a scene; `None` for a built-in file. If the folder of the scene does not contain the file, the
+    /// path is relative to the working directory.
     pub fn place(&self, name: &Path) -> Option<PathBuf> {
         match (self.own(name), scene::built_in_file(name)) {
             (Some(place), _) => Some(place),
@@ -85,7 +86,7 @@ impl Files for Disk {
     }
 }
 
-/// Content of the table of subjects that is in the same folder as a table of stances; `None` without such a table.
+/// Content of the table of subjects in the folder of a table of stances; `None` without such a table.
 pub fn metadata(path: &Path) -> Option<Vec<u8>> {
     read_bytes(&force::metadata_name(path)?).ok()
 }

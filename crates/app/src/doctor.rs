@@ -23,7 +23,7 @@ const MOST: usize = 25;
 /// Result of the diagnosis of one part of a scene or recording.
 #[derive(Debug, Clone)]
 pub enum Finding {
-    /// A valid part, with the name of its message and the data of the message.
+    /// A valid part: the key of its message and the data of the message.
     Good(&'static str, Value),
     /// An error in a key or in a file.
     Fault(Error),
@@ -64,7 +64,8 @@ impl Finding {
     }
 }
 
-/// Whether the file is examined as a recording: its extension is neither `toml` nor `json`, the extensions of scenes and summaries.
+/// Whether the path is examined as a recording. Paths with the extension `toml` (scene) or `json` (summary), and paths without an extension
+/// (built-in scenes), are examined as scenes.
 pub fn is_recording(path: &Path) -> bool {
     let ending = path.extension().map(|e| e.to_ascii_lowercase());
     ending.is_some_and(|e| e != "toml" && e != "json")
@@ -74,7 +75,7 @@ pub fn is_recording(path: &Path) -> bool {
 ///
 /// # Errors
 ///
-/// The file cannot be read; the cycle is invalid.
+/// The file cannot be read, or its cycle is invalid.
 pub fn recording_file(path: &Path) -> Result<Vec<Finding>> {
     let options = ReadOptions {
         metadata: metadata(path),
@@ -114,7 +115,8 @@ pub fn recording(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Vec
     Ok(out)
 }
 
-/// Findings about a scene, and the scene itself if it contains no errors. `name` is the name of the scene in messages.
+/// Findings about a scene and its recording. The scene is also returned if none of the findings is an error or an open question. `name` is
+/// the name of the scene in messages.
 ///
 /// # Errors
 ///
@@ -150,7 +152,7 @@ pub fn scene(name: &str, table: Table, files: Disk) -> Result<(Vec<Finding>, Opt
 ///
 /// # Errors
 ///
-/// The recording cannot be read.
+/// The load model, the force file or the recording of the scene is invalid.
 pub fn design(input: &Input, search: &Search) -> Result<Finding> {
     let target = input.target()?;
     let outcome = answer(&input.scene, target.as_ref(), search);
@@ -176,7 +178,7 @@ fn leaves(table: &Table) -> usize {
     table.values().map(count).sum()
 }
 
-/// The scene without its invalid keys, and the error of each removed key. The scene is `None` if removing keys is not sufficient.
+/// The scene without its invalid keys, and the error of each removed key. The scene is `None` if it remains invalid after the removal.
 fn read_what_is_right(table: &Table) -> (Option<Scene>, Vec<Error>) {
     let mut left = table.clone();
     let mut faults: Vec<Error> = Vec::new();

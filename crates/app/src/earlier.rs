@@ -46,10 +46,10 @@ pub const FORCE: &str = "force.csv";
 /// Name of the summary. This file is absent while the folder contains files of different results.
 pub(crate) const SUMMARY: &str = "summary.json";
 
-/// Maximum number of cams in a cover.
+/// Maximum number of cams in a set of `gaitcam cover`.
 pub const MOST_CAMS: usize = 50;
 
-/// Tables and figures of a cover. The first file is absent while the folder contains files of different results.
+/// Tables and figures of `gaitcam cover`. The first file is absent while the folder contains files of different results.
 pub const OF_COVER: [&str; 6] = [
     "cover.csv",
     "assignment.csv",
@@ -59,12 +59,12 @@ pub const OF_COVER: [&str; 6] = [
     "cycles.csv",
 ];
 
-/// File name of the scene for one cam of a cover with `cams` cams; cams are numbered from 1.
+/// File name of the scene for one cam in a set of `cams` cams. `cam` is counted from 1.
 pub fn scene_of_cover(cams: usize, cam: usize) -> String {
     format!("cams_{cams}/cam_{cam}.toml")
 }
 
-/// File names of all files that a cover may have.
+/// Names of all files that `gaitcam cover` can write, for any number of cams.
 pub fn of_cover() -> impl Iterator<Item = &'static str> {
     static SCENES: LazyLock<Vec<String>> = LazyLock::new(|| {
         let numbers = (1..=MOST_CAMS).flat_map(|cams| (1..=cams).map(move |cam| (cams, cam)));
@@ -77,7 +77,7 @@ pub fn of_cover() -> impl Iterator<Item = &'static str> {
         .chain(SCENES.iter().map(String::as_str))
 }
 
-/// File names of all files that any result may have.
+/// Names of all files that any result can contain.
 pub(crate) fn own() -> impl Iterator<Item = &'static str> {
     let design = files::ALL.iter().map(|file| file.name);
     let rest = [SCENE, SCENE_BESIDE_INPUT, FORCE].into_iter().chain(OF_RUN);
@@ -85,18 +85,18 @@ pub(crate) fn own() -> impl Iterator<Item = &'static str> {
     design.chain(rest).chain(added).chain(of_cover())
 }
 
-/// Whether the file is written last, so that it is absent while its folder contains files of different results.
+/// Whether the file is written after all other files of its result. It is absent while its folder contains files of different results.
 pub(crate) fn is_last(name: &str) -> bool {
     name == SUMMARY || name == OF_COVER[0]
 }
 
-/// File names of all files that `synth` may write or remove.
+/// Names of all files of a design that `synth` may write or remove. The scene is not included.
 pub fn of_design() -> Vec<&'static str> {
     files::ALL.iter().map(|file| file.name).collect()
 }
 
-/// Names of files of an earlier result in `folder` that do not belong to a new result of `scene` (text in TOML). The list is empty if the folder
-/// contains no earlier result.
+/// Names of files of an earlier result in `folder` that do not belong to a new result. `scene` is the scene of the new result, as TOML
+/// text. The list is empty if the folder contains no earlier result.
 pub fn stale(folder: &Path, scene: &str) -> Vec<&'static str> {
     let design = holds_design(folder);
     if !design && !holds(folder, "simulation.json", ["model", "lost_fraction"]) {
@@ -107,8 +107,8 @@ pub fn stale(folder: &Path, scene: &str) -> Vec<&'static str> {
     [own, run.to_vec()].concat()
 }
 
-/// Names of the design files in `folder` if they belong to a scene other than `scene` (text in TOML), otherwise an empty list. A simulation does
-/// not write to a folder of another design.
+/// Names of the design files in `folder` if they belong to a scene other than `scene` (TOML text), otherwise an empty list. A simulation
+/// removes these files when it writes its own.
 pub fn of_another_design(folder: &Path, scene: &str) -> Vec<&'static str> {
     if holds_design(folder) && !is_of(folder, scene) {
         of_design()
@@ -121,14 +121,14 @@ fn holds_design(folder: &Path) -> bool {
     holds(folder, SUMMARY, ["outcome", "solver"])
 }
 
-/// Whether a file of the folder contains a JSON object with both of the given keys.
+/// Whether the file `name` in the folder contains a JSON object with both keys.
 fn holds(folder: &Path, name: &str, keys: [&str; 2]) -> bool {
     let bytes = content(&folder.join(name));
     let object = serde_json::from_slice::<serde_json::Value>(&bytes);
     object.is_ok_and(|o| keys.iter().all(|key| o.get(key).is_some()))
 }
 
-/// Whether the result in the folder was computed from this scene (text in TOML).
+/// Whether the result in the folder was computed from this scene (TOML text).
 fn is_of(folder: &Path, scene: &str) -> bool {
     [SCENE, SCENE_BESIDE_INPUT]
         .iter()

@@ -1,4 +1,5 @@
-//! Files of a design. One table contains their names and the functions that make them, for the command, the Python package and the studio.
+//! Files of a design. One table contains their names and the functions that make them. The command, the Python package and the studio use
+//! this table.
 
 use std::cell::OnceCell;
 
@@ -24,7 +25,7 @@ enum Of {
     Discs,
     /// All cams except barrel cams.
     Profiles,
-    /// All cams except barrel cams. For a translating cam, the file is not in the list of available files, because this cam is not a plate.
+    /// All cams except barrel cams. The list of available files omits these files for a translating cam, which is not a plate.
     Plates,
     /// Designs with a conjugate pair of cams.
     Pairs,
@@ -32,7 +33,7 @@ enum Of {
     Barrels,
     /// Designs for a moving floor.
     Floors,
-    /// Designs for several walkers.
+    /// Designs for a population of walkers.
     Populations,
     /// Designs for a recording of eight or more consecutive strides.
     Walks,
@@ -43,15 +44,15 @@ enum Of {
 enum Maker {
     /// The file is always written.
     Always(fn(&Source) -> Made),
-    /// The file is a figure in PNG format, which is written if [`Contents`] requests PNG.
+    /// The file is a figure in PNG format. It is written if [`Contents`] requests PNG.
     Png(fn(&Source) -> Made),
-    /// The file is for CAD or manufacturing, and its option is in [`Contents`].
+    /// The file is for CAD or manufacturing. It is written if an option in [`Contents`] requests it.
     Workshop(Piece),
     /// The file is always written, after all others, by [`design::finish`](crate::design::finish).
     Finish,
 }
 
-/// Data from which the files are made. Each figure is drawn only once, for SVG and PNG.
+/// Data from which the files are made. Each figure is drawn only once and is used for both SVG and PNG.
 pub struct Source<'a> {
     design: &'a Design,
     time: Timing,
@@ -64,7 +65,7 @@ pub struct Source<'a> {
 pub struct File {
     /// Name of the file in the result folder.
     pub name: &'static str,
-    /// Purpose of the file, by which lists of files are grouped.
+    /// Purpose of the file. Lists of files are grouped by it.
     pub group: Group,
     of: Of,
     maker: Maker,
@@ -136,7 +137,7 @@ pub const ALL: [File; 38] = {
             Walks,
             Always(|s| Ok((csv::strides(s.design).map(String::into_bytes), Vec::new()))),
         ),
-        // Made by [`design::summary`](crate::design::summary), because it also requires the scene.
+        // [`design::summary`](crate::design::summary) makes this file, because it also requires the scene.
         file(Tables, "summary.json", All, Finish),
         piece(Drawings, "profile.dxf", Cams, Piece::Dxf),
         piece(Drawings, "profile.svg", Cams, Piece::Svg),
@@ -268,11 +269,11 @@ impl<'a> Source<'a> {
 }
 
 impl File {
-    /// Makes the content of the file, which is `None` if the file cannot be made, and remarks on the file.
+    /// Makes the content of the file and remarks on the file. The content is `None` if the file cannot be made.
     ///
     /// # Errors
     ///
-    /// The cutter has no path; a workbook or mesh cannot be assembled.
+    /// The cutter has no path, or a workbook or mesh cannot be assembled.
     pub fn make(&self, source: &Source) -> Made {
         match self.maker {
             Maker::Always(make) | Maker::Png(make) => make(source),
@@ -314,7 +315,7 @@ impl File {
     }
 }
 
-/// Files that exist for this kind of design. The program for wire cutting is not included, because the user must give the radius of the wire.
+/// Files that can be made for this design. The program for wire cutting is not included, because the user must give the radius of the wire.
 pub fn of(design: &Design) -> impl Iterator<Item = &'static File> {
     let is_plate = !design.cam.follower.is_unrolled();
     let offered = move |f: &&File| !f.is(Piece::Wire) && (f.of != Of::Plates || is_plate);
@@ -325,7 +326,7 @@ pub fn of(design: &Design) -> impl Iterator<Item = &'static File> {
 ///
 /// # Errors
 ///
-/// A file cannot be written; the cutter has no path.
+/// A file cannot be written, or the cutter has no path.
 pub fn write(
     source: &Source,
     mut put: impl FnMut(&str, &[u8]) -> Result<()>,

@@ -58,8 +58,8 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     through_temporary(path, "", bytes, |_| Ok(()))
 }
 
-/// Writes `bytes` as [`write_whole`] does, but the temporary file is hidden, and it is synced to the disk before it is renamed. This is required in
-/// folders that other processes read at the same time.
+/// Writes `bytes` as [`write_whole`] does, but with a hidden temporary file that is synced to the disk before it is renamed. This is
+/// necessary in folders that other processes read at the same time.
 ///
 /// # Errors
 ///
@@ -72,7 +72,7 @@ pub fn put_whole(path: &Path, bytes: &[u8]) -> Result<()> {
 ///
 /// # Errors
 ///
-/// The file exists ([`AlreadyExists`](std::io::ErrorKind::AlreadyExists)) or cannot be written.
+/// The file already exists ([`AlreadyExists`](std::io::ErrorKind::AlreadyExists)) or cannot be written.
 pub fn write_new(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     let temporary = temporary(path, ".", bytes)?;
     temporary.persist_noclobber(path).map_err(|e| e.error)?;
@@ -108,7 +108,7 @@ fn temporary(path: &Path, prefix: &str, bytes: &[u8]) -> std::io::Result<NamedTe
     let mut temporary = Builder::new()
         .prefix(&name)
         .suffix(".partial")
-        // With the usual access rights of new files instead of those of a private temporary file.
+        // The file has the usual access rights of new files. The default access rights of temporary files are more restrictive.
         .make_in(folder, |p| fs::File::create_new(p))?;
     temporary.as_file_mut().write_all(bytes)?;
     Ok(temporary)

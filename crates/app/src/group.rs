@@ -1,6 +1,6 @@
 //! Groups into which lists of files are divided.
 
-/// Purpose of a file, by which lists of files are grouped.
+/// Purpose of a file. Lists of files are grouped by it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Group {
     /// Tables of numbers, as CSV, JSON and workbooks.

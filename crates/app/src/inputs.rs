@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 
 use gaitcam::error::{FileError, Placed, Result};
 
-/// Paths of the files read so far, with links resolved; `None` if inputs are not protected, because the program processes several requests.
+/// Paths of the files read so far, with links resolved. `None` disables the protection, because the program processes several requests.
 static READ: Mutex<Option<BTreeSet<PathBuf>>> = Mutex::new(None);
 
 /// Starts the protection of all files that are read from now on. Only a program that processes a single request calls this function.
@@ -31,7 +31,7 @@ pub fn note(path: &Path) {
 ///
 /// # Errors
 ///
-/// The file was read; the error contains its path.
+/// The file was read. The error contains its path.
 pub fn check(place: &Path) -> Result<()> {
     with(|read| match read {
         Some(read) => check_among(read, place),
@@ -39,11 +39,11 @@ pub fn check(place: &Path) -> Result<()> {
     })
 }
 
-/// Checks that a file to be written is not one of the given inputs, whose links must be resolved.
+/// Checks that a file to be written is not one of the given inputs. The paths of the inputs must have resolved links.
 ///
 /// # Errors
 ///
-/// The file is one of the inputs; the error contains its path.
+/// The file is one of the inputs. The error contains its path.
 pub fn check_among(inputs: &BTreeSet<PathBuf>, place: &Path) -> Result<()> {
     // Links in the path are resolved only if files were read.
     let replaces = || place.canonicalize().is_ok_and(|p| inputs.contains(&p));
@@ -60,7 +60,7 @@ pub fn check_among(inputs: &BTreeSet<PathBuf>, place: &Path) -> Result<()> {
 ///
 /// # Errors
 ///
-/// A file was read and would be replaced; the error contains the path of the first such file.
+/// A file was read and would be replaced. The error contains the path of the first such file.
 pub fn check_in<'a>(folder: &Path, names: impl IntoIterator<Item = &'a str>) -> Result<()> {
     let mut names = names.into_iter();
     names.try_for_each(|name| check(&folder.join(name)))

@@ -24,7 +24,7 @@ impl Lock {
     ///
     /// # Errors
     ///
-    /// Another process still holds the lock after this time; the path is not a plain file; the folder is not writable.
+    /// Another process still holds the lock after this time, the path is not a regular file, or the folder is not writable.
     pub fn wait(folder: &Path, name: &str, patience: Duration) -> error::Result<Lock> {
         let (path, begun) = (folder.join(name), Instant::now());
         loop {
@@ -46,7 +46,7 @@ impl Lock {
         }
     }
 
-    /// Tries to create the lock; `None` if another process holds it.
+    /// Tries to create the lock once; `None` if another process holds it.
     fn attempt(path: &Path) -> Result<Option<Lock>> {
         loop {
             let mut options = OpenOptions::new();
@@ -103,7 +103,7 @@ fn holder(path: &Path) -> Option<String> {
     text.parse::<u32>().ok().map(|process| process.to_string())
 }
 
-/// Whether an open file is still the file at its path, that is, it was neither removed nor replaced.
+/// Whether an open file is still the file at its path. This is not the case if the file was removed or replaced.
 #[cfg(unix)]
 fn is_still_there(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;

@@ -32,13 +32,13 @@ enum Kind {
 /// Index of a column, and its conversion factor to SI units.
 type Column = (usize, f64);
 
-/// Columns with the coordinates of a point, in one of the accepted combinations.
+/// Columns with the coordinates of a point: Cartesian or polar.
 enum Coordinates {
     Cartesian([Column; 2]),
     Polar([Column; 2]),
 }
 
-/// Measured points in m, each with its line in the file.
+/// Measured points, m, each with its line in the file.
 pub struct Points {
     /// Measured coordinates x and y in the frame of the file, m.
     pub xy: Vec<[f64; 2]>,
@@ -51,7 +51,7 @@ pub struct Points {
 ///
 /// # Errors
 ///
-/// The file cannot be read; columns are missing; a cell is not a finite number (the error contains its line).
+/// The file cannot be read, columns are missing, or a cell is not a finite number. For such a cell, the error contains its line.
 pub fn read(path: &Path) -> Result<Points> {
     let bytes = read_bytes(path)?;
     let head = bytes.split(|b| *b == b'\n').next().unwrap_or_default();

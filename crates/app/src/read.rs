@@ -21,7 +21,7 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>> {
     read_at_most(path, LARGEST_FILE)
 }
 
-/// Content of a whole file with the rows of a motion.
+/// Content of a whole motion file. Its size is limited to `LARGEST_MOTION`.
 pub fn read_motion(path: &Path) -> Result<Vec<u8>> {
     read_at_most(path, LARGEST_MOTION)
 }
@@ -45,7 +45,7 @@ pub fn read_standard_input() -> Result<String> {
 ///
 /// # Errors
 ///
-/// The file cannot be opened; the path is a folder; the path is a pipe or a device, which may never end.
+/// The file cannot be opened, the path is a folder, or the path is a pipe or a device, which may never end.
 pub fn open(path: &Path) -> Result<File> {
     checked(path)?;
     File::open(path).map_err(|e| cannot_be_read(path, &e))
@@ -67,7 +67,7 @@ fn checked(path: &Path) -> Result<Metadata> {
 ///
 /// # Errors
 ///
-/// The errors of [`open`], or the file is larger.
+/// The errors of [`open`], or the file has more than `most` bytes.
 pub fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>> {
     let about = checked(path)?;
     let most = match about.is_file() {
@@ -103,7 +103,7 @@ fn too_large(path: &Path, most: u64) -> Error {
     FileError::TooLarge { mib: most >> 20 }.in_file(path)
 }
 
-/// Name of a system error in messages; the text of the operating system for other errors.
+/// Short name of a system error for messages, or the text of the operating system for errors without a short name.
 pub fn fault(e: &std::io::Error) -> String {
     let known = match e.kind() {
         ErrorKind::NotFound => "missing",

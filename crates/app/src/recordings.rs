@@ -10,7 +10,7 @@ use crate::read::cannot_be_read;
 pub const ENDINGS: [&str; 13] = [
     "c3d", "mot", "sto", "forces", "asc", "ascii", "csv", "tsv", "tab", "txt", "dat", "data", "prn",
 ];
-/// First words in the names of files that describe a folder and are not recordings.
+/// First words of the names of text files that describe a folder and are not recordings.
 const ABOUT: [&str; 7] = [
     "readme",
     "license",
@@ -26,7 +26,7 @@ const ABOUT: [&str; 7] = [
 pub struct Inside {
     /// Recordings, recognised by their extensions, in alphabetical order.
     pub recordings: Vec<PathBuf>,
-    /// Names of the other files.
+    /// Names of the files that are not recordings.
     pub others: Vec<String>,
 }
 

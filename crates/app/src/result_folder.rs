@@ -1,8 +1,9 @@
-//! Result folder whose files are replaced all together.
+//! Result folder in which all files are replaced together.
 //!
-//! New files are first written to a hidden folder inside the result folder. When all of them are complete, the hidden folder is renamed to `READY`.
-//! Then its files are moved into place. Every gaitcam process that opens the result folder first completes such a move if it was interrupted. A
-//! process that is killed therefore leaves either the old result or the new one. A lock file makes a second process wait.
+//! New files are first written to a hidden folder inside the result folder. When all new files are complete, the hidden folder is renamed
+//! to `READY`. Then its files are moved into the result folder. If this move was interrupted, the next gaitcam process that opens the
+//! result folder completes it. A process that is killed therefore leaves either the old result or the new one. A lock file makes a second
+//! process wait.
 //!
 //! `summary.json` is removed first and written last, so that it always belongs to the other files.
 //!
@@ -23,9 +24,9 @@ use crate::inputs;
 use crate::lock::{Lock, is_plain};
 use crate::read::read_bytes;
 
-/// Name of the hidden folder that contains the complete new files until they are moved into place.
+/// Name of the hidden folder that contains the complete new files until they are moved into the result folder.
 const READY: &str = ".gaitcam.ready";
-/// Name of the file in the hidden folder that lists the files of the earlier result to be removed, one per line.
+/// Name of a file in the hidden folder. It lists the files of the earlier result that must be removed, one per line.
 const STALE: &str = ".stale";
 /// Name of the lock file of the process that writes to the folder.
 const LOCK: &str = ".gaitcam.lock";
@@ -39,12 +40,12 @@ pub struct ResultFolder {
 }
 
 impl ResultFolder {
-    /// Opens a result folder for writing, before any computation. Creates the folder if necessary, waits for at most `patience` until no other
-    /// process writes to it, and checks that it is writable.
+    /// Opens a result folder for writing, before any computation. Creates the folder if necessary and waits for at most `patience` while
+    /// another process writes to it. Checks that the folder is writable.
     ///
     /// # Errors
     ///
-    /// The folder is not writable; another process still holds the lock.
+    /// The folder is not writable, or another process still holds the lock.
     pub fn open(path: &Path, patience: Duration) -> Result<ResultFolder> {
         let fault = |e: io::Error| {
             let fault = crate::read::fault(&e);
@@ -73,7 +74,7 @@ impl ResultFolder {
     ///
     /// # Errors
     ///
-    /// The file cannot be written; the path is a folder.
+    /// The file cannot be written, or its path is a folder.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<()> {
         assert!(own().any(|own| own == name), "{name} would stay for ever");
         inputs::check(&self.path.join(name))?;
@@ -90,7 +91,7 @@ impl ResultFolder {
         Ok(())
     }
 
-    /// Moves the new files into place, and removes the files in `others` that are not part of the new result.
+    /// Moves the new files into the result folder, and removes the files in `others` that are not part of the new result.
     ///
     /// # Errors
     ///
@@ -115,7 +116,8 @@ impl Drop for ResultFolder {
     }
 }
 
-/// Content of a file of the result. A file that a killed process left in the hidden folder is also found. The folder is not changed.
+/// Content of a file of the result. If a killed process left the new file in the hidden folder, the new file is read. The folder is not
+/// changed.
 ///
 /// # Errors
 ///
@@ -132,7 +134,7 @@ pub fn read(folder: &Path, name: &str) -> Result<Vec<u8>> {
     read_bytes(&folder.join(name))
 }
 
-/// Moves the files of [`READY`] into place. If the function is interrupted, it can be repeated.
+/// Moves the files of [`READY`] into the result folder. If the function is interrupted, it can be repeated.
 fn complete(path: &Path) -> Result<()> {
     let ready = path.join(READY);
     if !is_folder(&ready) {
@@ -182,8 +184,8 @@ fn put(path: &Path, ready: &Path, new: &[&str]) -> io::Result<()> {
     Ok(())
 }
 
-/// Checks that a result file can be written to its path. The path must not be a folder. Its parent must be a real folder (not a link) or must not
-/// exist yet.
+/// Checks that a result file can be written to its path. The path must not be a folder. The parent of the file must be a real folder (not a
+/// link) or must not exist yet.
 fn check_place(path: &Path, name: &str) -> Result<()> {
     match is_folder(&path.join(name)) || !is_inside(path, name) {
         true => Err(FileError::Foreign.in_file(&path.join(name))),
@@ -191,7 +193,7 @@ fn check_place(path: &Path, name: &str) -> Result<()> {
     }
 }
 
-/// Whether a file name leads to the result folder or to a real subfolder. Links are not accepted; a subfolder may be missing.
+/// Whether a file name leads to the result folder or to a real subfolder. A link is not accepted. The subfolder may be missing.
 fn is_inside(path: &Path, name: &str) -> bool {
     let parent = Path::new(name)
         .parent()
@@ -211,8 +213,8 @@ fn remove_empty_parent(path: &Path, name: &str) {
     }
 }
 
-/// Whether `name` is an empty subfolder for result files. [`names_in`] lists a subfolder only if it is empty, because its files are already in
-/// place.
+/// Whether `name` is an empty subfolder for result files. [`names_in`] lists a subfolder only if it is empty. A subfolder is empty after
+/// all its files have been moved.
 fn is_emptied(path: &Path, name: &str) -> bool {
     let is_parent = |own: &str| Path::new(own).parent() == Some(Path::new(name));
     is_folder(&path.join(name)) && own().any(is_parent)
@@ -253,7 +255,7 @@ fn remove_plain(path: &Path) -> io::Result<()> {
     }
 }
 
-/// Removes a hidden folder and the files in it that gaitcam writes. If it contains other files, they and the folder remain.
+/// Removes a hidden folder and those files in it that gaitcam writes. If the folder contains other files, they and the folder remain.
 fn discard(folder: &Path) -> io::Result<()> {
     for name in names_in(folder)? {
         if is_emptied(folder, &name) {

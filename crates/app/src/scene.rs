@@ -27,11 +27,11 @@ pub struct Input {
 }
 
 impl Input {
-    /// Creates the input from the table of a scene. `file` is the file from which the table was read, if there is one.
+    /// Creates the input from the table of a scene. `file` is the file from which the table was read; `None` without a file.
     ///
     /// # Errors
     ///
-    /// Keys or values are invalid; the error contains the file if there is one.
+    /// Keys or values are invalid. The error contains the path of the file.
     pub fn new(table: Table, files: Disk, file: Option<PathBuf>) -> Result<Input> {
         let named = |e| name_file(file.as_deref(), e);
         let whole = files.with_motions(&table).map_err(named)?;
@@ -49,13 +49,13 @@ impl Input {
     ///
     /// # Errors
     ///
-    /// The file cannot be read, or an error of [`Input::new`].
+    /// The file cannot be read, or its scene is invalid as for [`Input::new`].
     pub fn open(path: &Path) -> Result<Input> {
         Input::new(table(path)?, Disk::beside(path), Some(path.to_path_buf()))
     }
 
-    /// Table of the scene that does not depend on the folder of the scene file. Paths of recordings are absolute, and file names of motions are
-    /// replaced by the rows of the files.
+    /// Table of the scene with all paths made independent of the folder of the scene file. Paths of recordings are absolute. The rows of
+    /// motion files replace the names of these files.
     pub fn resolved(&self) -> Table {
         let mut table = self.whole.clone();
         let absolute = |name: &PathBuf| {
@@ -85,7 +85,7 @@ impl Input {
         table
     }
 
-    /// File name of the scene's recording, and file names of the recordings of further walkers. `None` without a recording.
+    /// File name of the scene's recording, and file names of the recordings of additional walkers. `None` without a recording.
     fn recordings(&self) -> Option<(&PathBuf, &[PathBuf])> {
         let gait = self.scene.gait.as_ref()?;
         match &gait.source {
@@ -156,11 +156,11 @@ pub fn table(path: &Path) -> Result<Table> {
     parse(&text, Some(path))
 }
 
-/// Table of a scene and access to its input files. If there is no file with this path, the built-in scene with this name is used.
+/// Table of a scene, and access to its input files. If no file has this path, the built-in scene with this name is used.
 ///
 /// # Errors
 ///
-/// The file cannot be read or contains no scene; the name is unknown.
+/// The file cannot be read or contains no scene, or the name is unknown.
 pub fn named(path: &Path) -> Result<(Table, Disk)> {
     let name = path
         .to_str()
@@ -174,7 +174,7 @@ pub fn named(path: &Path) -> Result<(Table, Disk)> {
     }
 }
 
-/// Parses the text of a scene. `path` is the file in the location of errors.
+/// Parses the text of a scene. Errors contain `path` as their location.
 ///
 /// # Errors
 ///
@@ -210,7 +210,8 @@ fn not_toml(path: Option<&Path>, text: &str, e: &toml::de::Error) -> Error {
     }
 }
 
-/// If the error is a missing recording, changes its location to the key that contains the name of the recording.
+/// Moves the location of an error about a missing recording to the scene key that contains the name of the recording. Other errors are
+/// unchanged.
 fn at_key_if_missing(e: Error) -> Error {
     let is_missing =
         |f: &FileError| matches!(f, FileError::CannotRead { fault } if fault == "missing");

@@ -16,11 +16,11 @@ const SAMPLES: u64 = 10_000;
 /// Key to be varied, with its values.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Varied {
-    /// Text in the syntax of `gaitcam sweep --vary`: `KEY=START:STOP:COUNT` or `KEY=A,B`, and `KEY=START:STOP` for a sample.
+    /// Text in the syntax of `gaitcam sweep --vary`: `KEY=START:STOP:COUNT` or `KEY=A,B`. For a sample, the text is `KEY=START:STOP`.
     Text(String),
     /// Key, and its values as written in a scene file.
     Listed(String, Vec<String>),
-    /// Key with its unit, as in the columns of tables, and its values in SI units.
+    /// Key that ends with its SI unit, as in column names, and its values in SI units.
     Numbers(String, Vec<f64>),
 }
 
@@ -37,8 +37,8 @@ impl Varied {
     }
 }
 
-/// Completes a scene that is invalid only because it lacks varied keys: each of these keys gets its first value. Any other scene is returned
-/// unchanged.
+/// Completes a scene that is invalid only because it lacks varied keys. Each of these keys is set to its first value. Any other scene is
+/// returned unchanged.
 pub fn completed(table: Table, varied: &[Varied], is_sampled: bool) -> Table {
     if scene::read(&table).is_ok() {
         return table;
@@ -65,7 +65,7 @@ pub struct SweepQuestion {
     /// Base scenes of the sweep. They are not part of the serialised definition.
     #[serde(skip)]
     pub scenes: Vec<NamedScene>,
-    /// Keys whose values are combined row by row: all first values, all second values, and so on.
+    /// Keys whose values are combined row by row: the first row contains the first value of each key, and so on.
     pub list: Vec<Varied>,
     /// File names of recordings. Each recording is combined with all values of `vary`.
     pub recordings: Vec<String>,
@@ -95,7 +95,7 @@ impl SweepQuestion {
     ///
     /// # Errors
     ///
-    /// A key or value cannot be varied; tolerances are combined with varied keys.
+    /// A key or value cannot be varied, or tolerances are combined with varied keys.
     pub fn subject(&self) -> Result<Subject> {
         if !self.tolerances.is_empty() {
             return self.scattered().map(Subject::Scatter);
@@ -103,7 +103,7 @@ impl SweepQuestion {
         let mut scenes = self.scenes.clone();
         let mut axes = Vec::new();
         if let Some(first) = self.recordings.first() {
-            // A scene without a recording is complete with any recording of the sweep.
+            // The first recording completes scenes without a recording. In the rows, each recording in turn replaces it.
             for scene in &mut scenes {
                 set_value(&mut scene.table, "gait.file", first.as_str().into())?;
             }

@@ -25,7 +25,8 @@ use gaitcam_app::workshop::ecam_json;
 use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_cad::ecam::{self, Dialect, ElectronicCam, Interpolation, Number};
 
-/// Force error, % of the mean force, below which the message only states that the added error is below this value.
+/// Smallest added force error that is printed, % of the mean force. For a smaller error, the message states only that it is below this
+/// value.
 const LEAST_SHARE: f64 = 1e-3;
 
 const EXAMPLES: &str = "Examples:
@@ -131,8 +132,8 @@ struct Several {
     misfits: [Misfit; 3],
 }
 
-/// Design for `count` consecutive recorded strides. For lightly damped modes, the response to the force of this design is compared with
-/// the response to all recorded strides.
+/// Design for `count` consecutive recorded strides. The misfits compare two responses of a lightly damped mode: to the force of this
+/// design, and to all recorded strides.
 fn of_strides(made: &Made, design: &Design, count: usize) -> Result<Several> {
     let walk = design.walk();
     let recorded = walk.as_ref().map_or(0, Walk::strides);

@@ -100,7 +100,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         .and_then(|matches| Cli::from_arg_matches(&matches));
     let cli = match parsed {
         Ok(cli) => cli,
-        // Clap reports help and version as errors; they are printed to standard output.
+        // Clap reports help and version as errors. They are printed to standard output.
         Err(e) if !e.use_stderr() => {
             record_write_error(e.print());
             return final_exit_code(BUILT);

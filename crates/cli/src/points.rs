@@ -55,7 +55,7 @@ enum Program {
     Inventor,
     // "Import spline CSV": x,y,z in centimetres, no header
     Fusion,
-    // x,y,z with a header
+    // CSV text x,y,z with a header line
     Plain,
 }
 
@@ -109,7 +109,7 @@ impl Unit {
 /// Writes the points of the profile, and of the second profile of a pair. The exit code is 3 if the design has no cam.
 ///
 /// # Errors
-/// The input is invalid, the program does not read the unit, or a file cannot be written.
+/// The input is invalid, `--units` is given for Fusion (which reads only centimetres), or a file cannot be written.
 pub fn run(args: &PointsArgs) -> Result<u8> {
     if args.cad == Program::Fusion && args.units.is_some() {
         return Err(SceneError::PointsOfFusion.at_argument("--units"));

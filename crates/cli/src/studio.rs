@@ -38,7 +38,7 @@ pub fn run(args: &StudioArgs) -> Result<u8> {
         port: args.port,
         language: language::given(),
     })?;
-    // A panic ends only one response; its message belongs in the terminal.
+    // A panic ends only one response. Its message is printed in the terminal.
     let _ = std::panic::take_hook();
     // No file is half written between two requests, so Ctrl-C is the normal way to end the program.
     let _ = ctrlc::set_handler(|| exit(i32::from(BUILT)));

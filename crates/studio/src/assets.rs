@@ -9,9 +9,9 @@ const HTML: &str = "text/html; charset=utf-8";
 const SCRIPT: &str = "text/javascript; charset=utf-8";
 const STYLE: &str = "text/css; charset=utf-8";
 
-/// Name, media type and content of each file, listed by the build script.
+/// Name, media type and content of each file of the page. The build script lists the files.
 const FILES: &[(&str, &str, &str)] = include!(concat!(env!("OUT_DIR"), "/page.rs"));
-/// File of the page that the report contains as well.
+/// File of the page that is also part of the report.
 const MOTION: &str = "core/motion.js";
 
 /// Response with the main HTML file of the page. `base` is the URL prefix of its other files. If `language` is `None`, the page uses the language

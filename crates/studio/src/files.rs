@@ -1,4 +1,4 @@
-//! Opening and saving of scenes in the opened folder. A scene is saved under a name that is not used yet.
+//! Opening and saving of scenes in the opened folder. A scene is saved under a new name, so that no file is replaced.
 
 use std::path::Path;
 
@@ -14,7 +14,7 @@ use gaitcam_app::page::{Named, table};
 ///
 /// # Errors
 ///
-/// The file is outside the folder; the text is not TOML.
+/// The file is outside the folder, or its text is not TOML.
 pub fn open(studio: &Studio, path: &str) -> Result<Value> {
     let path = Path::new(path);
     let text = String::from_utf8_lossy(&studio.folder.read(path)?).into_owned();
@@ -22,7 +22,7 @@ pub fn open(studio: &Studio, path: &str) -> Result<Value> {
     Ok(json!({"scene": text, "file": path.display().to_string()}))
 }
 
-/// Request to save a scene, with the dropped recording to which the scene refers.
+/// Request to save a scene together with the dropped recording that the scene uses.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Save {
@@ -30,7 +30,7 @@ pub struct Save {
     pub scene: String,
     /// Requested name of the scene file.
     pub name: String,
-    /// Stored files to which the scene refers.
+    /// Stored files, each with its name in the scene.
     #[serde(default)]
     pub files: Vec<Named>,
     /// Language of the error messages.
@@ -38,11 +38,11 @@ pub struct Save {
     pub language: String,
 }
 
-/// Saves a scene, and in the same folder the dropped file to which it refers. Existing files are not replaced.
+/// Saves a scene and, in the same folder, the dropped recording that the scene uses. Existing files are not replaced.
 ///
 /// # Errors
 ///
-/// A file name is invalid; the folder is not writable.
+/// A file name is invalid, or the folder is not writable.
 pub fn save(studio: &Studio, save: &Save) -> Result<Value> {
     let mut table = table(&save.scene)?;
     let file = table

@@ -19,7 +19,7 @@ type Content = (Hash, Arc<Vec<u8>>);
 
 /// Maximum size of a file that can be read, bytes.
 const LARGEST: u64 = 256 << 20;
-/// Maximum number of files that are listed; [`DEPTH`] limits the levels of subfolders.
+/// Maximum number of files that are listed. [`DEPTH`] is the maximum number of levels of subfolders.
 const LISTED: usize = 500;
 const DEPTH: usize = 3;
 
@@ -35,12 +35,12 @@ pub struct Folder {
     read: Mutex<Recent<Stamp, Content>>,
 }
 
-/// File of the folder that the page may open.
+/// File of the folder that the page can open.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 pub struct Listed {
-    /// Path of the file in the folder, with `/`.
+    /// Path of the file relative to the folder, with `/` as separator.
     pub path: String,
-    /// Whether the file is a scene; otherwise it is a recording.
+    /// Whether the file is a scene. All other listed files are recordings.
     pub scene: bool,
 }
 
@@ -65,7 +65,7 @@ impl Folder {
     ///
     /// # Errors
     ///
-    /// The path leads out of the folder (by `..`, from the root, or through a link); the file does not exist.
+    /// The path leads out of the folder (by `..`, from the root, or through a link), or the file does not exist.
     pub fn find(&self, path: &Path) -> Result<PathBuf> {
         let outside = || StudioError::Outside.in_file(path);
         let upwards = path.components().any(|c| c == Component::ParentDir);
@@ -84,13 +84,13 @@ impl Folder {
     ///
     /// # Errors
     ///
-    /// The errors of [`Folder::find`]; the path is not a regular file; the file is too large.
+    /// An error of [`Folder::find`], a path that is not a regular file, or a file that is too large.
     pub fn read(&self, path: &Path) -> Result<Vec<u8>> {
         let found = self.find(path)?;
         read_at_most(&found, LARGEST).map_err(|e| e.placed(Place::File(path.to_path_buf())))
     }
 
-    /// Content of a file with its hash. It is cached, for files that are requested repeatedly.
+    /// Content of a file with its hash. Both are cached, because files are requested repeatedly.
     ///
     /// # Errors
     ///
@@ -109,12 +109,12 @@ impl Folder {
         Ok(read)
     }
 
-    /// Writes a new file and returns its name. If the requested name is used, the first free number is added (`walk.toml`, `walk-2.toml`). Existing
-    /// files are not replaced.
+    /// Writes a new file and returns its name. If a file with the requested name exists, the first free number is added (`walk.toml`,
+    /// `walk-2.toml`). Existing files are not replaced.
     ///
     /// # Errors
     ///
-    /// The file name is invalid; the folder is not writable.
+    /// The file name is invalid, or the folder is not writable.
     pub fn write_new(&self, name: &str, bytes: &[u8]) -> Result<String> {
         let plain = !name.is_empty()
             && !name.starts_with('.')
@@ -135,7 +135,7 @@ impl Folder {
             match write_new(&path, bytes) {
                 Ok(()) => return Ok(name),
                 Err(e) if e.kind() == std::io::ErrorKind::AlreadyExists => {
-                    // If an equal file exists, no second file is written.
+                    // If a file of this name has the same content, no second file is written.
                     if self.read(name.as_ref()).is_ok_and(|old| old == bytes) {
                         return Ok(name);
                     }

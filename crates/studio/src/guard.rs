@@ -18,12 +18,12 @@ pub struct Guard {
     port: u16,
 }
 
-/// Token and preferred port for a folder. They are the same at every start, so that an open page can reconnect after a restart. They are computed
-/// from the path of the folder and a secret of the user, so that other users cannot guess them.
+/// Token and preferred port for a folder. They are the same at every start, so that an open page can reconnect after a restart. They are
+/// computed from the path of the folder and from a secret of the user. Other users therefore cannot guess the token.
 pub struct Place {
     /// Secret token, which every request must contain.
     pub token: String,
-    /// Port in the range for private use.
+    /// Preferred port of the folder, in the range for private use.
     pub port: u16,
 }
 
@@ -45,7 +45,7 @@ impl Place {
     }
 }
 
-/// Path of the file with the secret of the user, in the folder of the system for application data; `None` without such a folder.
+/// Path of the file with the secret of the user. It is in the system's folder for application data; `None` without such a folder.
 fn secret_file() -> Option<PathBuf> {
     let folder = |name: &str| std::env::var_os(name).filter(|v| !v.is_empty());
     let below = |name: &str, more: &str| folder(name).map(|home| PathBuf::from(home).join(more));
@@ -98,8 +98,9 @@ impl Guard {
         format!("/{}/", self.token)
     }
 
-    /// Accepts or rejects a request. The host must be this server, and the origin, if any, must be one of its pages. The token must be in the query
-    /// or in the first part of the path. The path must not contain the parts `.` and `..`, backslashes or zero bytes.
+    /// Accepts or rejects a request. The header `Host` must be the address of this server. The header `Origin`, if present, must be the
+    /// same address. The token must be in the query or in the first part of the path. The path must not contain the parts `.` and `..`,
+    /// backslashes or zero bytes.
     pub fn admit(&self, head: &Head) -> Result<(), Response> {
         let own = [
             format!("127.0.0.1:{}", self.port),
@@ -125,7 +126,7 @@ impl Guard {
             .any(|given| same(given.as_bytes(), self.token.as_bytes()))
     }
 
-    /// Path without the token prefix.
+    /// Removes the token prefix and leading slashes from a path.
     pub fn inside<'p>(&self, path: &'p str) -> &'p str {
         let path = path.trim_start_matches('/');
         match path.strip_prefix(self.token.as_str()) {

@@ -1,4 +1,4 @@
-//! `gaitcam studio`: a local web application in which the design changes with the sliders.
+//! `gaitcam studio`: a local web application that updates the design while a slider moves.
 //!
 //! The JavaScript of the page does no computations. Each change of a field is sent as one request with the whole scene. The response is a design
 //! with all its curves, checks and messages. The server delivers the files of the page and passes requests to the engine. In a page without a
@@ -39,13 +39,13 @@ use http::Server;
 pub struct Options {
     /// Scene file, folder, or name of a built-in scene. `None` opens the default scene in the working directory.
     pub open: Option<PathBuf>,
-    /// Port number; 0 selects a free port.
+    /// Port number. 0 selects the preferred port of the folder, or a free port if the preferred port is in use.
     pub port: u16,
     /// Initial language of the page; `None` selects the language of the browser.
     pub language: Option<Language>,
 }
 
-/// State of a running studio.
+/// State of a running studio: access control, opened folder, start state, language and engine.
 struct Studio {
     guard: Guard,
     folder: Folder,
@@ -74,11 +74,11 @@ impl Ready {
     }
 }
 
-/// Opens the folder and listens on its port of the loopback address.
+/// Opens the folder and listens on the requested port of the loopback address.
 ///
 /// # Errors
 ///
-/// A folder or scene does not exist; the port is in use.
+/// A folder or scene does not exist, or the port is in use.
 pub fn open(options: &Options) -> Result<Ready> {
     set_language(options.language.unwrap_or_default());
     let (folder, start) = opened(options.open.as_deref())?;

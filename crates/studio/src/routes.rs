@@ -14,7 +14,7 @@ use gaitcam::wording::Language;
 use gaitcam_app::page::fault::StudioError;
 use gaitcam_app::page::{Answer, Body, Hash, Host, LONGEST, Start, set_language};
 
-/// Maximum size of a request body, bytes.
+/// Maximum size of a request body, bytes. `KEPT` applies to the upload of a file, and `QUESTION` to all other requests.
 const QUESTION: usize = 4 << 20;
 const KEPT: usize = 64 << 20;
 
@@ -96,7 +96,7 @@ fn answered(answer: Answer) -> Response {
     Response { status, ..response }
 }
 
-/// Host of the engine for one request. The search of the request ends when the page disconnects.
+/// Host of the engine for one request. The search of the request ends when the page disconnects or the time limit is reached.
 struct Asking<'s> {
     studio: &'s Studio,
     halt: Halt,

@@ -22,8 +22,8 @@ pub use origin::{FILE, Origin};
 
 /// One cycle of a vertical force.
 ///
-/// ``Force(t_s, f_n)`` defines a cycle by its times and forces, one-dimensional arrays of equal length. The times must increase. The first sample
-/// may be repeated at the end.
+/// ``Force(t_s, f_n)`` defines a cycle by its times and forces. Both are one-dimensional arrays of equal length. The times must increase.
+/// The first sample may be repeated at the end.
 ///
 /// Parameters
 /// ----------
@@ -36,7 +36,7 @@ pub use origin::{FILE, Origin};
 /// mass_kg : float, optional
 ///     Mass of the walker, kg.
 /// name : str, optional
-///     Name of the walker in tables and results; "force" by default.
+///     Name of the walker in tables and results. The default is "force".
 #[pyclass(frozen, module = "gaitcam")]
 #[derive(Clone)]
 pub struct Force {
@@ -44,7 +44,7 @@ pub struct Force {
     pub curve: ForceCurve,
     /// Data from which the force was computed.
     pub origin: Origin,
-    /// Name of the walker.
+    /// Name of the walker in tables and results.
     pub name: String,
 }
 
@@ -62,7 +62,7 @@ impl Force {
         Ok(force.map(|f| f.get().clone()))
     }
 
-    /// Mean cycle of a recording. If `name` is `None`, the name of the file without its extension is used.
+    /// Mean cycle of a recording. If `name` is `None`, the name is the file name without its extension.
     fn of_recording(py: Python<'_>, origin: Origin, name: Option<&str>) -> PyResult<Force> {
         let file = origin.file();
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
@@ -75,7 +75,8 @@ impl Force {
         })
     }
 
-    /// Combines several walkers into one target force. Forces of the same name are cycles of one walker; forces without a name are numbered.
+    /// Combines several walkers into one target force. Forces with the same name are cycles of one walker. Forces without a name are
+    /// numbered.
     pub fn of_walkers(py: Python<'_>, forces: &[PyRef<'_, Force>]) -> PyResult<Force> {
         let walker = |(number, force): (usize, &PyRef<'_, Force>)| {
             let name = match force.name.as_str() {
@@ -88,7 +89,7 @@ impl Force {
         Force::of_population(py, &walkers)
     }
 
-    /// Combines a population of walkers into one target force.
+    /// Combines the cycles of a population of walkers into one target force.
     pub fn of_population(py: Python<'_>, walkers: &[Walker]) -> PyResult<Force> {
         let table = force::population_csv(walkers);
         let origin = Origin::Recording {
@@ -99,7 +100,8 @@ impl Force {
         Force::of_recording(py, origin, None)
     }
 
-    /// Content of a file that belongs to this force: the recording, its table of subjects, or [`FILE`]. `None` for other files.
+    /// Content of a file from which this force is read: the recording, its table of subjects, or [`FILE`] for arrays. `None` for other
+    /// files.
     pub fn content(&self, path: &Path) -> Option<Arc<Vec<u8>>> {
         match &self.origin {
             Origin::Arrays => {
@@ -110,7 +112,7 @@ impl Force {
         }
     }
 
-    /// Copy of a scene in which this force is the source in `[gait]`. Scale, band, phase and weights are unchanged.
+    /// Copy of a scene in which this force is the source in `[gait]`. Keys for scale, band, phase and weights are unchanged.
     ///
     /// # Errors
     ///
@@ -155,8 +157,8 @@ impl Force {
 
     /// Mean cycle of a recording of walking that is given as arrays. Stances are detected and averaged as in :func:`read_gait`.
     ///
-    /// ``t_s`` (s) has shape (n,). ``f_n`` (N) has shape (n,) or (n, plates). The default name is "recording". The options are those of
-    /// :func:`read_gait`, without the names of columns and the sampling rate.
+    /// ``t_s`` (s) has shape (n,). ``f_n`` (N) has shape (n,) or (n, plates). The default name is "recording". The options of
+    /// :func:`read_gait` are available, except the names of columns and the sampling rate.
     #[staticmethod]
     #[pyo3(signature = (t_s, f_n, name = None, **options), text_signature = "(t_s, f_n, name=None, *, feet=None, mass=None, \
         mass_kg=None, unit=None, kind=None, accept=None, period=None, period_s=None, span=None, span_rad=None, noise=None,
@@ -190,7 +192,7 @@ impl Force {
         PyArray1::from_iter(py, times)
     }
 
-    /// Step-to-step standard deviation of the force at the phases of ``force_n``, N; shape (n,). ``None`` if no cycles were averaged.
+    /// Standard deviation of the force between steps at the phases of ``force_n``, N; shape (n,). ``None`` if no cycles were averaged.
     #[getter]
     fn spread_n<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
         let spread = self.curve.spread_n.as_ref()?;
@@ -215,13 +217,14 @@ impl Force {
         self.curve.mass_kg
     }
 
-    /// Name of the walker in all tables and results: the given name, otherwise the file name without its extension.
+    /// Name of the walker in all tables and results. The default is the file name without its extension, or "force" for arrays of one
+    /// cycle.
     #[getter]
     fn name(&self) -> &str {
         &self.name
     }
 
-    /// Recorded movement: "walking", "running", …; ``None`` for a cycle that is given as arrays.
+    /// Recorded movement: "walking", "running", …; ``None`` for a cycle that is given as arrays, and for an unknown movement.
     #[getter]
     fn kind(&self) -> Option<&'static str> {
         Some(self.curve.recording.as_ref()?.kind?.name())
@@ -237,17 +240,18 @@ impl Force {
         Ok(open.map(OpenQuestion::name).collect())
     }
 
-    /// Contacts of a recording in the order of time, as a table. The columns are ``column``, ``foot``, ``start_s`` and ``end_s`` (clock of the
-    /// file), ``p1_n``, ``valley_n``, ``p2_n``, ``impulse`` (N s), ``used`` (1 or 0) and ``why`` (the reason if ``used`` is 0). A cycle that is
-    /// given as arrays has no contacts.
+    /// Contacts of a recording in the order of time, as a table. The columns are ``column``, ``foot``, ``start_s``, ``end_s``, ``p1_n``,
+    /// ``valley_n``, ``p2_n``, ``impulse`` (N s), ``used`` and ``why``. Times are on the clock of the file. ``p1_n``, ``valley_n`` and
+    /// ``p2_n`` are the forces at the first peak, the valley and the second peak. ``used`` is 1 or 0, and ``why`` is the reason for 0. A
+    /// cycle that is given as arrays has no contacts.
     #[getter]
     fn stances(&self) -> Table {
         let recording = self.curve.recording.as_ref();
         steps::table(&recording.map_or(Vec::new(), |r| r.stance_rows()))
     }
 
-    /// Complete strides of both feet, as a table with the columns of :attr:`stances`. The peaks are measured in the first stance; the impulse is the
-    /// sum of both feet.
+    /// Complete strides of both feet, as a table with the columns of :attr:`stances`. The peaks are measured in the first stance. The
+    /// impulse is the sum of both feet.
     #[getter]
     fn strides(&self) -> Table {
         let recording = self.curve.recording.as_ref();
@@ -333,11 +337,11 @@ impl Force {
 /// Parameters
 /// ----------
 /// path : path or list of paths
-///     File of the recording, or the files of the plates of one trial, one file per plate.
+///     File of the recording, or the files of one trial with one file per force plate.
 /// name : str, optional
-///     Name of the walker in tables and results; by default the file name without its extension.
+///     Name of the walker in tables and results. The default is the file name without its extension.
 /// feet : str
-///     Feet whose force is used: "both" (default), "one", "left", "right" or "total".
+///     Feet from which the force is used: "both" (default), "one", "left", "right" or "total".
 /// rate : str ("1000 Hz"), rate_hz : float
 ///     Sampling rate, if the file does not contain it.
 /// mass : str ("72.6 kg"), mass_kg : float
@@ -347,7 +351,7 @@ impl Force {
 /// kind : str
 ///     Kind of movement: "walking", "running", "standing", "jumping", "sit-to-stand" or "other".
 /// accept : str ("clock, mass")
-///     Open questions for which the assumption is accepted; see :attr:`Force.open`.
+///     Open questions for which the assumption is accepted (see :attr:`Force.open`).
 /// time : str, force : str or list of str
 ///     Names of the columns with the time and with the force.
 /// period : str ("0.5 s"), period_s : float
@@ -398,7 +402,7 @@ pub fn read_gait(
     Force::of_recording(py, origin, name)
 }
 
-/// Path of a recording, or the paths of the plates of one trial, with one file for each plate.
+/// Path of a recording, or paths of the force plates of one trial, with one file for each plate.
 #[derive(FromPyObject)]
 pub enum Paths {
     One(PathBuf),

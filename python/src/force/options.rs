@@ -11,12 +11,12 @@ use toml::{Table, Value};
 use crate::convert;
 use crate::error::{Raise, argument};
 
-/// Options for a file. A quantity is a text with its unit, or a number if the option name ends with the SI unit.
+/// Names of the options for a file. A quantity is a text with its unit, or a number if the option name ends with the SI unit.
 pub const OF_FILE: [&str; 16] = [
     "feet", "rate", "rate_hz", "mass", "mass_kg", "unit", "kind", "accept", "time", "force",
     "period", "period_s", "span", "span_rad", "noise", "noise_n",
 ];
-/// Options for arrays. They contain no options for the sampling rate and for names of columns, which arrays do not need.
+/// Names of the options for arrays. Options for the sampling rate and for column names are excluded, because arrays do not need them.
 pub const OF_ARRAYS: [&str; 12] = [
     "feet", "mass", "mass_kg", "unit", "kind", "accept", "period", "period_s", "span", "span_rad",
     "noise", "noise_n",
@@ -26,7 +26,7 @@ pub const OF_ARRAYS: [&str; 12] = [
 ///
 /// # Errors
 ///
-/// `TypeError` for an unknown option, with the accepted names, and for a quantity that is given twice.
+/// `TypeError` for an unknown option and for a quantity that is given twice. For an unknown option, the message contains the valid names.
 pub fn gait(
     py: Python<'_>,
     options: Option<&Bound<'_, PyDict>>,
@@ -47,7 +47,7 @@ pub fn gait(
     Ok(gait)
 }
 
-/// Name of a walker: the given name, otherwise the default.
+/// Name of a walker: `given`, or `default` if no name is given.
 ///
 /// # Errors
 ///

@@ -8,7 +8,7 @@ use gaitcam::force::{self, ForceCurve};
 use gaitcam::scene::{self, BETWEEN_PLATES, Files, Gait};
 use toml::{Table, Value};
 
-/// File name, in the result folder, of a force that was given as arrays.
+/// Name of the file in the result folder that contains a force given as arrays.
 pub use gaitcam_app::design::FORCE as FILE;
 
 /// Data from which a force is computed.
@@ -22,7 +22,7 @@ pub enum Origin {
         gait: Table,
         /// Content of the recording file.
         bytes: Arc<Vec<u8>>,
-        /// Content of the table of subjects in the folder of the file; `None` without such a table.
+        /// Content of the table of subjects in the folder of the recording file; `None` without such a table.
         metadata: Option<Vec<u8>>,
     },
 }
@@ -78,7 +78,7 @@ impl Origin {
         }
     }
 
-    /// Path of the file of this force; for several files, of the first one.
+    /// Path of the file of this force. For several files, the path of the first file is returned.
     pub fn file(&self) -> PathBuf {
         let keys = self.keys();
         let name = keys.get("file").and_then(Value::as_str).unwrap_or(FILE);
@@ -107,7 +107,7 @@ impl Origin {
         curve.ok_or_else(|| SceneError::NoForceNamed.into())
     }
 
-    /// Copy of the table of a scene in which this force is the source in `[gait]`. Scale, band, phase and weights are unchanged.
+    /// Copy of the table of a scene in which this force is the source in `[gait]`. Keys for scale, band, phase and weights are unchanged.
     pub fn named_in(&self, scene: &Table) -> Table {
         let mut table = scene.clone();
         let own = table.get("gait").and_then(Value::as_table).cloned();

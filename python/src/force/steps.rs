@@ -5,7 +5,7 @@ use gaitcam::sweep::{Field, Records};
 
 use crate::table::Table;
 
-/// Table with the columns of `gaitcam gait --stances FILE`. `used` is 1 or 0. A missing number is NaN, a missing text is `None`.
+/// Table with the columns of `gaitcam gait --stances FILE`. `used` is 1 or 0. A missing number is NaN. A missing text is `None`.
 pub fn table(rows: &[StepRow<'_>]) -> Table {
     let number = |name: &str, of: &dyn Fn(&StepRow<'_>) -> Option<f64>| {
         let values = rows.iter().map(|row| of(row).unwrap_or(f64::NAN));

@@ -29,7 +29,8 @@ use crate::table::Table;
 /// -------
 /// Inspection
 ///     ``summary`` is a dictionary as in ``inspection.json``. ``table`` contains the deviation along the normal,
-///     ``deviation_m``, at the cam angle ``theta_rad``. ``line`` is the line in the file or the row of the array, counted from 1.
+///     ``deviation_m``, at the cam angle ``theta_rad``. ``line`` is the line of the point in the file, or its row in the array, counted
+///     from 1.
 ///
 /// Raises
 /// ------

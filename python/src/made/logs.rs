@@ -1,4 +1,4 @@
-//! Use of machine logs: identification of machine parameters, and design of the next cam.
+//! Evaluation of machine logs: identification of machine parameters, and design of the next cam.
 
 use std::path::{Path, PathBuf};
 
@@ -17,7 +17,7 @@ use crate::interrupt;
 use crate::scene::Scene;
 use crate::synth::answer;
 
-/// Names of the columns in a log from arrays.
+/// Names of the columns in a log that is given as arrays.
 const COLUMNS: [&str; 5] = [
     "time_s",
     "theta_rad",
@@ -26,7 +26,7 @@ const COLUMNS: [&str; 5] = [
     "torque_n_m",
 ];
 
-/// Options that name the columns of log files.
+/// Options with the names of columns in log files, and the number of encoder counts per turn.
 const OPTIONS: [&str; 6] = [
     "time",
     "angle",
@@ -36,7 +36,7 @@ const OPTIONS: [&str; 6] = [
     "counts_per_turn",
 ];
 
-/// Identifies the parameters of a machine from its logs. The result is that of ``gaitcam identify --json``.
+/// Identifies the parameters of a machine from its logs. The result is the same as for ``gaitcam identify --json``.
 ///
 /// Parameters
 /// ----------
@@ -56,7 +56,7 @@ const OPTIONS: [&str; 6] = [
 /// dict
 ///     ``parameters`` is a list of dictionaries with ``key``, ``value``, ``low`` and ``high`` (limits of the 95 % interval), and
 ///     ``identifiable``. ``noise_rms_n`` and ``repeatable_rms_n`` are the RMS noise and the RMS repeatable force error, N.
-///     ``next_run`` is a further run that would identify more parameters, or ``None``.
+///     ``next_run`` describes a further run that would identify more parameters, or is ``None``.
 ///
 /// Raises
 /// ------
@@ -139,7 +139,7 @@ pub fn recut(
     Ok(cut)
 }
 
-/// Reads logs from files or arrays. Returns the logs, and the paths of those from files.
+/// Reads logs from files or arrays. Also returns the paths of the log files.
 fn read(
     given: &Bound<'_, PyAny>,
     columns: Option<&Bound<'_, PyDict>>,

@@ -40,7 +40,7 @@ pub struct Run {
 ///     "machine.stiffness": "2e5 N/m", "machine.restitution": 0.4}``. Only ``drive.*`` and ``machine.*`` are allowed, because the
 ///     cam does not change.
 /// force : Force, optional
-///     Force of another walker, which is the target in this simulation. If the scene contains no mass or speed of the machine,
+///     Force of another walker, which is the target force in this simulation. If the scene contains no mass or speed of the machine,
 ///     they are computed from this force.
 ///
 /// Raises
@@ -89,7 +89,7 @@ pub fn simulate(
     })
 }
 
-/// Scene of a design in which the machine is changed and the force is replaced.
+/// Scene of a design with a changed machine and, if given, another force.
 fn scene_of(
     py: Python<'_>,
     design: &Design,
@@ -163,7 +163,7 @@ impl Run {
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, (&Py<Design>, &'static str)> {
-        // A run is determined by its inputs, so only these are pickled.
+        // The inputs determine a run, so only the inputs are pickled.
         let simulate = py.import("gaitcam")?.getattr("simulate")?;
         let keywords = PyDict::new(py);
         keywords.set_item("machine", self.machine.as_ref())?;

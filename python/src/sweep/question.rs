@@ -20,8 +20,8 @@ use crate::scene::Scene;
 /// Definition of a sweep: base scenes, force and varied keys.
 pub struct Question {
     scenes: Vec<Scene>,
-    /// Force that replaces the forces of all scenes. `None` if the definition was restored from a pickle, which contains the files instead of the
-    /// force.
+    /// Force that replaces the forces of all scenes; `None` without such a force. It is also `None` if the definition was restored from a
+    /// pickle, which contains the files instead of the force.
     force: Option<Force>,
     asked: SweepQuestion,
 }
@@ -130,7 +130,7 @@ fn starts_number(value: &Bound<'_, PyAny>) -> bool {
         .starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
 }
 
-/// Text of a value as in a scene file.
+/// Value as text, as it is written in a scene file.
 fn written(value: &Bound<'_, PyAny>, key: &str) -> PyResult<String> {
     if value.is_instance_of::<PyString>() || value.hasattr("__fspath__")? {
         return Ok(value.str()?.to_string());
@@ -185,7 +185,7 @@ impl Question {
         Ok(())
     }
 
-    /// Adds keys of which all combinations of values are computed.
+    /// Adds varied keys. All combinations of their values are computed.
     pub fn vary(&mut self, axes: Option<&Bound<'_, PyDict>>, sampled: bool) -> PyResult<()> {
         for (key, values) in axes.into_iter().flatten() {
             let axis = of_axis(key.extract()?, &values, sampled)?;
@@ -247,7 +247,7 @@ impl Question {
 
     /// State for pickling: the scenes, the definition as JSON, and the content of every file once.
     pub fn state<'py>(&self, py: Python<'py>, files: &Files) -> PyResult<Bound<'py, PyAny>> {
-        // The same object twice is pickled once.
+        // An object that occurs twice in the state is pickled only once.
         let mut contents: HashMap<*const Vec<u8>, Bound<'py, PyBytes>> = HashMap::new();
         let mut carried = Vec::new();
         for ((scene, name), bytes) in files {
@@ -295,7 +295,7 @@ fn method_of(name: &str) -> Option<Method> {
         .find(|m| m.name() == name)
 }
 
-/// Base scene with its name, by which the rows of the sweep refer to it.
+/// Base scene with its name. The rows of the sweep contain this name.
 fn named(scene: &Scene) -> NamedScene {
     NamedScene {
         name: scene.input.scene.name.clone(),

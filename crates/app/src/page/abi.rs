@@ -1,4 +1,4 @@
-//! Functions that a browser calls: to reserve memory for a request, to process the request, to store a file, and to free the response.
+//! Functions that a browser calls. They reserve memory for a request, process the request, store a file, and free the response.
 //!
 //! Only addresses and lengths are passed. The first four bytes of a response are its length. The response for a file consists of a JSON object with
 //! the media type, a line break, and the bytes of the file.
@@ -28,7 +28,7 @@ unsafe extern "C" {
     safe fn seconds() -> f64;
 }
 
-/// Host in a browser. It has no folder. A search ends at the time limit, or when the page stops its worker.
+/// Host in a browser. It has no folder. A search ends at the time limit, or when the page stops the worker that runs it.
 struct Page;
 
 impl Host for Page {
@@ -54,7 +54,7 @@ impl Host for Page {
 }
 
 static ENGINE: LazyLock<Engine> = LazyLock::new(Engine::default);
-/// Buffers that this module shares with the page, by address. They contain requests from the page or responses to the page.
+/// Buffers that this module shares with the page, by their addresses. They contain requests from the page or responses to the page.
 static SHARED: Mutex<BTreeMap<usize, Vec<u8>>> = Mutex::new(BTreeMap::new());
 
 fn share(mut bytes: Vec<u8>) -> *mut u8 {

@@ -7,7 +7,7 @@ use crate::page::fault::StudioError;
 use crate::page::{plain, remedies, words};
 use gaitcam::error::{Error, Place, ReadError, Result};
 
-/// Pairs of columns that contain the coordinates of a contour, given by the first words of the column names.
+/// Pairs of columns that contain the coordinates of a contour. Each is given by the first word of a column name.
 const CONTOURS: [[&str; 2]; 4] = [
     ["x", "y"],
     ["angle", "radius"],
@@ -34,7 +34,7 @@ pub enum Body {
 /// Response to a request of the page.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answer {
-    /// Whether the request itself was valid. It may be valid although the scene in it is invalid.
+    /// Whether the request itself was valid. A valid request may contain an invalid scene.
     pub understood: bool,
     /// Content of the response: JSON data, or a file of a design.
     pub body: Body,
@@ -43,7 +43,7 @@ pub struct Answer {
 impl Answer {
     /// Response to a valid request, with `value` converted to JSON.
     pub fn json(value: &impl Serialize) -> Answer {
-        // Structs with string keys: this cannot fail.
+        // The serialisation cannot fail, because all values are structs with string keys.
         let body = Body::Json(serde_json::to_vec(value).unwrap_or_default());
         let understood = true;
         Answer { understood, body }
@@ -67,7 +67,7 @@ impl Answer {
     }
 }
 
-/// Error as JSON for the page: code, key, location, message, help and corrections.
+/// Error as JSON for the page: code, key, location, message, help text and corrections.
 pub fn fault_json(error: &Error) -> Value {
     let language = words::current();
     if let Some(contour) = contour(error) {

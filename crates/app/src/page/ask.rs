@@ -1,4 +1,4 @@
-//! Assignment of requests to functions by their routes.
+//! Calls the function that processes a request, according to the route of the request.
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;

@@ -1,4 +1,4 @@
-//! Changes of a scene's table: values of keys, and entries of lists.
+//! Changes of the table of a scene: values of keys, and entries of lists.
 
 use std::collections::BTreeMap;
 
@@ -17,43 +17,43 @@ use gaitcam::scene::{self, Scene, unset};
 pub enum Edit {
     /// Sets a key to a value as written in a scene file. An empty value removes the key.
     Set {
-        /// Dotted key of the value.
+        /// Dotted key of the value, such as `limits.stroke`.
         key: String,
-        /// New value of the key, as text.
+        /// New value as text, in the form of a scene file.
         value: String,
     },
-    /// Inserts an entry in a list. It is a copy of the preceding entry, or a valid default if the list is empty.
+    /// Inserts an entry in a list. The new entry is a copy of the preceding entry, or a valid default if the list is empty.
     Insert {
-        /// Dotted name of the list.
+        /// Dotted name of the list, such as `law.segment`.
         list: String,
         /// Number of the inserted entry, counted from 1.
         number: usize,
     },
     /// Removes an entry from a list.
     Remove {
-        /// Dotted name of the list.
+        /// Dotted name of the list, such as `law.segment`.
         list: String,
         /// Number of the removed entry, counted from 1.
         number: usize,
     },
     /// Moves an entry of a list.
     Move {
-        /// Dotted name of the list.
+        /// Dotted name of the list, such as `law.segment`.
         list: String,
         /// Number of the moved entry, counted from 1.
         from: usize,
         /// Number of the entry after the move.
         to: usize,
     },
-    /// Replaces all segments of the motion programme. The family becomes `program`, and keys that contradict it are removed. Without segments, the
-    /// family is removed.
+    /// Replaces all segments of the motion programme. The law family is set to `program`, and keys that contradict a programme are removed.
+    /// Without segments, the law family is removed.
     Programme {
-        /// Texts of each segment, by the names of its columns. Empty texts are omitted.
+        /// Texts of each segment by column name. Empty texts are omitted.
         segments: Vec<BTreeMap<String, String>>,
     },
 }
 
-/// Maximum number of corrections that complete a scene after a choice of the user.
+/// Maximum number of corrections by which a scene is completed after the user has changed a key with fixed choices.
 const MENDINGS: usize = 12;
 /// Keys that do not apply to a motion programme: the target force, the keys that depend on it, and keys of other families.
 const SET_ASIDE: [&str; 15] = [
@@ -73,7 +73,7 @@ const SET_ASIDE: [&str; 15] = [
     "law.point",
     "law.dwell",
 ];
-/// Shaft speed that replaces a speed computed from the force, if a scene becomes a motion programme.
+/// Shaft speed of a scene that becomes a motion programme, if its speed was computed from the force.
 const SPEED: &str = "60 rpm";
 
 /// Function that parses the table of a scene and reads the files of its motions.
@@ -83,7 +83,7 @@ pub type Read<'a> = dyn Fn(&Table) -> Result<Scene> + 'a;
 ///
 /// # Errors
 ///
-/// The path of a key leads through a value that is not a table, or a list entry does not exist.
+/// The path of a key contains a value that is not a table, or a list entry does not exist.
 pub fn apply(table: &mut Table, edit: &Edit, read: &Read) -> Result<()> {
     match edit {
         Edit::Set { key, value } if value.trim().is_empty() => {
@@ -189,7 +189,7 @@ fn first(list: &str) -> Value {
     Value::Table(entry.collect())
 }
 
-/// Adds the keys that a choice of the user requires, and removes the keys that do not exist with this choice.
+/// Adds the keys that a new choice (such as a follower) requires, and removes the keys that do not exist with this choice.
 fn mend(table: &mut Table, read: &Read) {
     for _ in 0..MENDINGS {
         let Err(fault) = read(table) else {
@@ -261,7 +261,8 @@ fn programme(table: &mut Table, segments: &[BTreeMap<String, String>], read: &Re
     Ok(())
 }
 
-/// Removes keys that contradict a motion programme. A mass or a speed that was computed from the force is replaced.
+/// Removes keys that contradict a motion programme. A speed that was computed from the force is replaced by the constant `SPEED`. A moving
+/// axis without a given mass is replaced by a fixed axis.
 fn set_aside(table: &mut Table) -> Result<()> {
     for key in SET_ASIDE {
         unset(table, key);

@@ -35,9 +35,9 @@ pub enum StudioError {
     Port { port: u16, fault: String },
     /// The force has no single mean cycle.
     NoCycle,
-    /// The file contains the contour of a cam instead of a recording.
+    /// The file contains the contour of a cam and not a recording.
     Contour { columns: String },
-    /// The points of a drawn force are too few, too many or not finite.
+    /// The number of points of a drawn force is too small or too large, or a point is not finite.
     FewPoints,
 }
 

@@ -14,16 +14,16 @@ use gaitcam::units::{Dimension, parse};
 /// Contents of one field of the form.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Field {
-    /// Text of the value in the scene file; empty if the scene omits the key.
+    /// Text of the value in the scene file. It is empty if the scene omits the key.
     pub text: String,
-    /// Value that the empty field shows: the value of the design, or the default.
+    /// Text that an empty field shows: the value in the design, or the default.
     pub placeholder: String,
-    /// Value that the design uses for the key, if the scene omits the key or sets it to `auto`; otherwise `None`.
+    /// Value of the design for a key that the scene omits or sets to `auto`. `None` for other keys.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub taken: Option<String>,
     /// Whether the key has an effect in this scene.
     pub acts: bool,
-    /// Slider of the field; `None` if no meaningful range is known.
+    /// Slider of the field; `None` for a key without a suitable range.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub slider: Option<Slider>,
 }
@@ -39,11 +39,11 @@ pub struct Slider {
     pub step: f64,
     /// Position of the slider, in `unit`.
     pub at: f64,
-    /// Unit after the number in a scene file, with the space before it; empty for a count.
+    /// Unit after the number in a scene file, including the space before it. It is empty for a count.
     pub unit: String,
 }
 
-/// Fields of all keys that exist in the scene, by key. The keys of list entries contain the numbers of the entries.
+/// Form fields of all keys that exist in the scene, by key. The keys of list entries contain the numbers of the entries.
 pub fn fields(table: &Table, scene: &Scene, design: Option<&Design>) -> BTreeMap<String, Field> {
     let figures = design.map(Figures::of);
     let several = design
@@ -56,7 +56,7 @@ pub fn fields(table: &Table, scene: &Scene, design: Option<&Design>) -> BTreeMap
             let path = key.path_at(index);
             let text = typed(table, &path);
             let in_design = match several.filter(|_| key.path == "accuracy.rms") {
-                // For several walkers, the limit applies to the minimised objective over them.
+                // For several walkers, the limit applies to the objective over all walkers, which the design minimises.
                 Some(all) => Some(all.objective_percent / 100.0),
                 None => value_in_design(key.path, scene, figures.as_ref()),
             };
@@ -115,7 +115,7 @@ fn length(table: &Table, list: &str) -> usize {
         .map_or(0, Vec::len)
 }
 
-/// Text of a value in its field, without quotation marks; empty if the scene omits the key.
+/// Text of a value in its field, without quotation marks. It is empty if the scene omits the key.
 pub fn typed(table: &Table, path: &str) -> String {
     match at(table, path) {
         None => String::new(),
@@ -127,7 +127,7 @@ pub fn typed(table: &Table, path: &str) -> String {
     }
 }
 
-/// Value, in SI units, that the design has for a key; `None` if it is unknown.
+/// Value of a key in the design, SI units; `None` if it is unknown.
 fn value_in_design(path: &str, scene: &Scene, figures: Option<&Figures>) -> Option<f64> {
     let figures = figures?;
     let value = match path {
@@ -208,7 +208,7 @@ fn slider(
     })
 }
 
-/// Customary range of a key in SI units, narrower than its permitted range; `None` for other keys.
+/// Customary range of a key in SI units, which is narrower than its permitted range; `None` for other keys.
 fn usual(path: &str) -> Option<(f64, f64)> {
     match path {
         "gait.step_frequency" => Some((1.0, 3.0)),
@@ -217,8 +217,8 @@ fn usual(path: &str) -> Option<(f64, f64)> {
     }
 }
 
-/// Ends of a slider for the value `at`, in the unit of the field. The ends are simple numbers at a distance from the value. For a positive value, the
-/// lower end can be near zero.
+/// Lower and upper end of a slider with the position `at`, in the unit of the field. The ends follow the permitted range, or are rounded
+/// numbers at least 30 % above a positive position. `None` if a slider is not possible.
 fn ends(range: Range, dimension: Dimension, at: f64, factor: f64) -> Option<(f64, f64)> {
     let ends = match range {
         Range::Acute => (
@@ -269,7 +269,7 @@ fn tidy(x: f64) -> f64 {
     short(x).parse().unwrap_or(x)
 }
 
-/// Unit in the text of a quantity, or the customary unit for a text without a unit. The result begins with a space, unless it is empty.
+/// Unit in the text of a quantity, or the customary unit for a text without a unit. A non-empty result begins with a space.
 fn unit_of(text: &str, dimension: Dimension) -> String {
     let number = |c: char| c.is_ascii_digit() || "+-.".contains(c);
     let typed = text.trim().trim_start_matches(number).trim();

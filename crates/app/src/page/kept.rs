@@ -1,4 +1,4 @@
-//! Data that is cached between requests, and services of the host (server or browser) in which the requests are processed.
+//! Data that is cached between requests, and services of the host. The host is the server or the browser in which requests are processed.
 
 use std::path::Path;
 use std::sync::{Arc, Mutex};
@@ -33,7 +33,7 @@ pub struct Start {
     pub folder: Option<String>,
 }
 
-/// Services that the host, which is a server or a browser, provides for a request: files, clock, time limit and start state.
+/// Services of the host (a server or a browser) for a request: files, clock, time limit and start state.
 pub trait Host {
     /// Content and hash of a file that is neither stored by the page nor built in.
     ///
@@ -59,15 +59,16 @@ pub struct Made {
     pub scene: Scene,
     /// Design of the scene, with its checks.
     pub design: Design,
-    /// Computing times of the design.
+    /// Computing times of the design, s.
     pub time: Timing,
     /// Hash of all inputs of the design.
     pub hash: Hash,
-    /// Hash of the force; `None` without a force.
+    /// Hash of the target force; `None` without a force.
     pub force: Option<Hash>,
 }
 
-/// Processor of requests, with its caches. Cached data are found only by hash, so that one page cannot read the data of another page.
+/// Processor of requests, with its caches. Cached data can be retrieved only by hash, so that one page cannot read the data of another
+/// page.
 pub struct Engine {
     files: Mutex<Recent<Hash, Arc<Vec<u8>>>>,
     pub(crate) curves: Mutex<Recent<Hash, ForceCurve>>,

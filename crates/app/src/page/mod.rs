@@ -1,7 +1,8 @@
-//! Requests of the page and their responses. The server of `gaitcam studio` uses this module, and the page contains it compiled to WebAssembly.
+//! Requests of the page and their responses. The server of `gaitcam studio` uses this module. The page without a server contains the same
+//! module, compiled to WebAssembly.
 //!
-//! A request is a JSON object with the whole scene and the hashes of its files. A response depends on nothing else. Cached data are found by their
-//! contents only: bytes by their hash, force curves and designs by the hash of all their inputs.
+//! A request is a JSON object with the whole scene and the hashes of its files. A response depends only on the request. Bytes are cached by
+//! their hash. Force curves and designs are cached by the hash of all their inputs.
 //!
 //! ```text
 //! ask.rs      requests by their routes               sources.rs  files and force curves of a request
@@ -43,14 +44,14 @@ pub use recent::Recent;
 pub use sources::Named;
 pub use words::{current as language, settle as set_language};
 
-/// Time limit of a search, s.
+/// Time limit of one search, s.
 pub const LONGEST: f64 = 60.0;
 
 /// Parses the text of a scene as a TOML table.
 ///
 /// # Errors
 ///
-/// The text is not TOML; the error contains the line.
+/// The text is not TOML. The error contains the line.
 pub fn table(text: &str) -> Result<Table> {
     text.parse().map_err(|e: toml::de::Error| {
         let start = e.span().map_or(0, |s| s.start.min(text.len()));

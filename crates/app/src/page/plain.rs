@@ -162,8 +162,8 @@ impl<'a> Writer<'a> {
         true
     }
 
-    /// Reads the value after an equals sign and returns it without quotation marks, or its label if the value is a choice. `None` if the next text is
-    /// not a value.
+    /// Reads the value after an equals sign and returns it without quotation marks. For a choice, the label is returned. `None` if no value
+    /// follows.
     fn value(&mut self, path: &str) -> Option<String> {
         let written = self.rest.strip_prefix(" = ")?;
         let (value, rest) = match written.strip_prefix('"') {

@@ -7,13 +7,13 @@ use gaitcam::scene::{Scene, keys};
 use gaitcam::synth::Design;
 use gaitcam::units::Quantity;
 
-/// Maximum number of columns that are suggested.
+/// Maximum number of columns that are suggested as force columns.
 const MOST: usize = 12;
 
 /// Suggested change of a key, or a key that needs a value from the user.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Remedy {
-    /// Dotted key of the scene.
+    /// Dotted key of the scene that the correction changes.
     pub key: String,
     /// Suggested value as written in a scene file; `None` if the user has to enter the value.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -39,7 +39,7 @@ fn columns(all: &[String]) -> Vec<Remedy> {
     offered.map(|column| to("gait.force", column)).collect()
 }
 
-/// Corrections for an error, the most likely one first; empty for other errors.
+/// Corrections for an error, sorted by decreasing likelihood. The list is empty if no correction is known.
 pub fn of(error: &Error) -> Vec<Remedy> {
     if let Some(fault) = error.fault() {
         return of_reading(fault);
@@ -176,8 +176,8 @@ fn of_scene(fault: &SceneError, key: &str) -> Vec<Remedy> {
     .collect()
 }
 
-/// Suggested changes of keys that answer the open questions about the recording of a design. The first changes accept the assumptions, and the other
-/// changes set the keys that answer the questions.
+/// Suggested changes of keys that resolve the open questions about the recording of a design. The first changes accept the assumptions. The
+/// other changes set the keys that answer the questions.
 pub fn of_open_questions(design: &Design) -> Vec<Remedy> {
     let mut out: Vec<Remedy> = Vec::new();
     let accepted: Vec<&str> = (design.problem.open_questions.iter())

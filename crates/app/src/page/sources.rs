@@ -15,7 +15,7 @@ use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene};
 
-/// Stored file, with the name by which the scene refers to it.
+/// Stored file, with its name in the scene.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Named {
@@ -110,7 +110,7 @@ impl<'a> Files<'a> {
         Ok(Some((curve, hash)))
     }
 
-    /// Hash of all inputs of a design: the text of its scene and the files that were read for it.
+    /// Hash of all inputs of a design: the text of its scene, and the files that were read for this request.
     pub fn of_scene(&self, text: &str) -> Hash {
         let files = format!("{:?}\n", self.used.borrow());
         Hash::of_parts(&[files.as_bytes(), text.as_bytes()])

@@ -26,7 +26,7 @@ pub enum Piece {
     Cutter,
     /// Program for milling the first cam (0) or the second cam (1).
     Program(usize),
-    /// Program for wire cutting.
+    /// G-code program for wire cutting.
     Wire,
     /// Electronic cam, with the index of its dialect in `Dialect::ALL`.
     Ecam(usize),

@@ -18,7 +18,7 @@ const VERTICES: usize = 720;
 /// Numbers of strips in the mesh of a groove's wall: along the groove per turn, and over its depth.
 const WALL: [usize; 2] = [720, 8];
 
-/// Content of a file, or `None` if it cannot be made, with remarks on the file.
+/// Content of a file with remarks on the file. The content is `None` if the file cannot be made.
 pub(crate) type Made = Result<(Option<Vec<u8>>, Vec<Remark>)>;
 
 /// Options of the files for CAD and manufacturing.
@@ -53,7 +53,7 @@ pub enum Remark {
     NoStep(Error),
     /// The cutter damages the profile.
     Gouge(Gouge),
-    /// The electronic cam was written; it contains the force error with the controller.
+    /// The electronic cam was written. Its data include the force error with the controller.
     Ecam(ElectronicCam),
     /// The electronic cam cannot be made, for this reason.
     NoEcam(Error),
@@ -62,7 +62,7 @@ pub enum Remark {
 }
 
 impl Remark {
-    /// Whether the remark means that no program for the milling cutter can be written.
+    /// Whether the remark prevents a program for the milling cutter.
     pub fn forbids_program(&self) -> bool {
         matches!(self, Remark::Gouge(_) | Remark::NoProgram(_))
     }
@@ -107,7 +107,7 @@ impl Workshop {
         }
     }
 
-    /// Makes one file of a design; `points` is the number of rows of tables and of vertices of drawings.
+    /// Makes one file of a design. `points` is the number of rows of tables and of vertices of drawings.
     pub(crate) fn make(
         &self,
         piece: Piece,
@@ -191,8 +191,8 @@ fn groove(design: &Design, wall: Wall) -> Made {
     }
 }
 
-/// JSON data of an electronic cam: dialect, file (path or name), number of intervals, RMS force error in N, and the part of this error that the
-/// controller adds.
+/// JSON data of an electronic cam: dialect, file (path or name), number of intervals and RMS force error, N. The RMS difference from the
+/// force of the law is given in N and in per cent.
 pub fn ecam_json(cam: &ElectronicCam, file: &str) -> Value {
     let replayed = cam.replayed;
     json!({

@@ -1,5 +1,5 @@
-//! Replacement for the files for CAD and manufacturing in a build without the feature `cad`. The names of the files are known, so that files of
-//! earlier results are removed, but no such file is made.
+//! Replacement for the module of CAD and manufacturing files in a build without the feature `cad`. No such files are made. Their names are
+//! available, so that files of earlier results can be removed.
 
 use gaitcam::error::{Error, Result};
 use gaitcam::synth::Design;
@@ -7,7 +7,7 @@ use gaitcam_output::{Language, Timing};
 
 use super::piece::Piece;
 
-/// Content of a file, or `None` if it cannot be made, with remarks on the file.
+/// Content of a file with remarks on the file. The content is `None` if the file cannot be made.
 pub(crate) type Made = Result<(Option<Vec<u8>>, Vec<Remark>)>;
 
 /// Options of the files for manufacturing. Without the feature `cad` there are no options.

@@ -11,7 +11,7 @@ pub const INTERNAL_ERROR: u8 = 1;
 pub const BAD_INPUT: u8 = 2;
 /// There is no feasible cam, or a check fails.
 pub const NO_SUCH_CAM: u8 = 3;
-/// Interrupted by Ctrl-C; shells use the same code.
+/// Interrupted by Ctrl-C. Shells report the same code.
 pub const INTERRUPTED: u8 = 130;
 
 /// Exit code for an error: 3 if the scene is valid but has no feasible cam, otherwise 2.

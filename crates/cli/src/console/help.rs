@@ -45,7 +45,7 @@ fn spanish() -> &'static Messages {
     HELP.of(Language::Es)
 }
 
-/// Spanish help text with a key; `None` if the catalogue does not contain the key.
+/// Spanish help text of the message `key`; `None` if the catalogue does not contain this key.
 fn message(key: &str) -> Option<String> {
     let text = spanish().text(key);
     (text != key).then_some(text)
@@ -55,7 +55,7 @@ fn label(key: &str) -> String {
     spanish().text(key)
 }
 
-/// Replaces the help texts of a verb and its subcommands by the Spanish texts. An empty `verb` stands for `gaitcam` without a verb.
+/// Replaces the help texts of a verb and its subcommands by the Spanish texts. An empty `verb` means `gaitcam` without a verb.
 fn in_spanish(command: Command, verb: &str) -> Command {
     let about = if verb.is_empty() { "gaitcam" } else { verb };
     let usage = command.clone().render_usage().to_string();
@@ -129,7 +129,7 @@ fn takes_value(arg: &Arg) -> bool {
     arg.get_action().takes_values()
 }
 
-/// Usage line or value name with the placeholders in the language: `<FILE>` → `<ARCHIVO>`.
+/// Translates the placeholders in a usage line or a value name to Spanish, such as `<FILE>` to `<ARCHIVO>`.
 fn with_names(text: &str) -> String {
     let mut out = String::new();
     let mut word = String::new();

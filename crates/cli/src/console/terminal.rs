@@ -31,7 +31,7 @@ pub fn report(message: impl Display) {
     let _ = writeln!(std::io::stderr().lock(), "gaitcam: {shown}");
 }
 
-/// The text, if it has at most `most` bytes; otherwise its first `most` bytes and an ellipsis. Characters are not split.
+/// Shortens a text of more than `most` bytes to its first `most` bytes and an ellipsis. Characters are not split.
 fn shortened(text: &str, most: usize) -> String {
     if text.len() <= most {
         return text.to_string();
@@ -56,7 +56,7 @@ pub fn record_write_error(written: Result<()>) {
 
 /// Whether a write failed because the reader closed the pipe.
 fn closed_by_reader(error: &std::io::Error) -> bool {
-    // Windows has a second error for it, which Rust does not map: ERROR_PIPE_NOT_CONNECTED.
+    // On Windows, a write to a closed pipe can also fail with ERROR_PIPE_NOT_CONNECTED (233), which Rust does not map to `BrokenPipe`.
     error.kind() == ErrorKind::BrokenPipe || cfg!(windows) && error.raw_os_error() == Some(233)
 }
 

@@ -13,8 +13,8 @@ use crate::console::error::CliError;
 use crate::console::help::command;
 use gaitcam::wording::Language;
 
-/// Arguments in which a negative number after a flag (`--tool -3mm`) is joined to the flag with `=`. Otherwise the parser would read the
-/// number as an option. No option begins with a digit.
+/// Joins a negative number to the preceding flag: `--tool -3mm` becomes `--tool=-3mm`. Otherwise the parser would read the number as an
+/// option. No option begins with a digit.
 pub fn with_negative_values(arguments: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
     let mut out: Vec<OsString> = Vec::new();
     for argument in arguments {
@@ -36,7 +36,7 @@ fn is_negative(argument: &OsStr) -> bool {
     number.is_some_and(|n| n.starts_with(|c: char| c.is_ascii_digit()))
 }
 
-/// Whether a text is a flag whose value is the following argument.
+/// Whether a text is a flag that has its value in the following argument.
 fn is_flag(argument: &OsStr) -> bool {
     let text = argument.to_string_lossy();
     text.len() > 2 && text.starts_with("--") && !text.contains('=')
@@ -120,7 +120,7 @@ fn choices(missing: &str) -> String {
 /// Former verbs of `gaitcam` that are now verbs of `gaitcam-lab`.
 const IN_LAB: [&str; 2] = ["chart", "reproduce"];
 
-/// Error for an invalid value of a flag, with the valid values or range if known.
+/// Error for an invalid value of a flag. It contains the valid values or the valid range, if clap provides them.
 fn unsuitable(error: &clap::Error, typed: String) -> CliError {
     let source = error.source();
     if source.is_some_and(|s| s.is::<ParseIntError>()) {
@@ -137,7 +137,7 @@ fn unsuitable(error: &clap::Error, typed: String) -> CliError {
     }
 }
 
-/// An element of the context of a clap error as text; lists are joined by commas.
+/// Context value of a clap error as text. The elements of a list are joined by commas.
 fn context(error: &clap::Error, kind: ContextKind) -> Option<String> {
     match error.get(kind)? {
         ContextValue::String(text) => Some(text.clone()),

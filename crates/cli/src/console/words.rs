@@ -11,7 +11,7 @@ pub fn catalogue() -> &'static Messages {
     WORDS.of(language::current())
 }
 
-/// Catalogue of the command's messages.
+/// Catalogue of the command's messages in all languages.
 pub static WORDS: Catalogue = Catalogue::new(&[Sentences {
     files: &[[
         include_str!("../../words/en/cli.ftl"),
@@ -24,12 +24,12 @@ pub static WORDS: Catalogue = Catalogue::new(&[Sentences {
     ..Sentences::NONE
 }]);
 
-/// Text of a heading or label.
+/// Text of the heading or label with the message key `key`, in the language of the output.
 pub fn text(key: &str) -> String {
     catalogue().text(key)
 }
 
-/// Message with its placeholders replaced. `arguments` is a JSON object with their values.
+/// Message `key` in which the values of the JSON object `arguments` replace the placeholders.
 pub fn fill(key: &str, arguments: &Value) -> String {
     let (area, variant) = key.split_once('-').unwrap_or(("", key));
     catalogue().sentence(area, &serde_json::json!({ variant: arguments }))
@@ -40,7 +40,7 @@ pub fn length(metres: f64) -> String {
     gaitcam::wording::quantity(language::current(), metres, "m")
 }
 
-/// Name of a follower, law, limit or solver in the language of the output; other texts are returned unchanged.
+/// Name of a follower, law, limit or solver in the language of the output. Other texts are returned unchanged.
 pub fn name(typed: &str) -> String {
     gaitcam::wording::catalogue(language::current()).name(typed)
 }

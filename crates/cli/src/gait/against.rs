@@ -1,4 +1,4 @@
-//! Assignment of walkers to the cams of a cover, so that the force error of each walker is minimum.
+//! Assigns walkers to the cams in an output folder of `gaitcam cover`. Each walker is assigned to the cam with the minimum force error.
 
 use std::path::Path;
 
@@ -21,11 +21,12 @@ use gaitcam_app::Input;
 use gaitcam_app::design::scene_of_cover;
 use gaitcam_app::read::read_text;
 
-/// Best cam of a cover folder for each walker, for every number of cams in the cover. Returns a table for the console, and JSON data.
+/// Best cam in an output folder of `gaitcam cover` for each walker, for every number of cams. Returns a table for the console and JSON
+/// data.
 ///
 /// # Errors
 ///
-/// The folder contains no cover, or the machine cannot be adjusted to a walker.
+/// The folder is not an output folder of `gaitcam cover`, or the machine cannot be adjusted to a walker.
 pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
     let path = folder.join("cover.csv");
     let covers = read_text(&path)?;
@@ -37,7 +38,7 @@ pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
     let numbers = numbers.filter(|n| covers.starts_with("cams,") && !n.is_empty());
     let numbers = numbers.ok_or_else(|| CliError::NotCover.in_file(&path))?;
     let first = Input::open(&folder.join(scene_of_cover(numbers[0], 1)))?;
-    // The walkers must have the same form as the walkers of the cover.
+    // The walkers must have the same unit, feet, movement and cycle as the walkers for whom the cams were designed.
     let known = first.target()?.and_then(|f| f.population);
     let mut all = known.map_or(Vec::new(), |p| p.walkers.clone());
     all.extend(walkers.iter().cloned());
@@ -80,7 +81,7 @@ pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
     ))
 }
 
-/// Best cam for the force curve of each walker, among the designs of a cover with `cams` cams.
+/// Cam with the minimum force error for the force curve of each walker, selected from the set of `cams` cams.
 fn serving(folder: &Path, cams: usize, force: &ForceCurve) -> Result<Vec<Assigned>> {
     let (mut designs, mut scene) = (Vec::new(), None);
     for cam in 0..cams {

@@ -1,5 +1,5 @@
-//! `gaitcam gait`: describes recordings, and computes the mean cycle of each and the joint mean of several. The submodule `cover` contains
-//! `gaitcam cover`.
+//! `gaitcam gait`: describes recordings and computes the mean cycle of each recording. Several recordings also have a joint mean cycle. The
+//! submodule `cover` contains `gaitcam cover`.
 
 mod against;
 pub mod cover;
@@ -173,7 +173,7 @@ fn one(
     })
 }
 
-/// Best cams of a cover folder for the recordings that have a cycle, as text and JSON.
+/// Best cam in an output folder of `gaitcam cover` for each recording with a cycle, as text and JSON.
 fn held_against(folder: &Path, reads: &[Read]) -> Result<(String, Value)> {
     let walker = |read: &Read| {
         let name = read

@@ -14,20 +14,20 @@ pub const JOINT_MEAN: &str = "joint_mean.csv";
 /// Paths of the cycles of one or several recordings. The picture of a cycle has the same path with the ending `.svg` or `.png`.
 #[derive(Debug, Default)]
 pub struct Places {
-    /// Path of the cycle of each recording; empty if none is written.
+    /// Path of the cycle of each recording. The list is empty if no cycles are written.
     pub each: Vec<PathBuf>,
     /// Path of the joint mean; `None` if it is not written.
     pub joint: Option<PathBuf>,
 }
 
 impl Places {
-    /// Paths for the value of `--out`. For a folder, the paths are `NAME_cycle.csv` for each recording, and `joint_mean.csv`. For a file,
-    /// the joint mean is written to this file if `several` is set, otherwise the cycle. `recordings` contains the files of each
-    /// recording.
+    /// Paths for the value of `--out`. In a folder, the cycles are `NAME_cycle.csv`, one per recording, and the joint mean is
+    /// `joint_mean.csv`. If `out` is a file, the joint mean is written to it if `several` is set, otherwise the cycle. `recordings`
+    /// contains the files of each recording.
     ///
     /// # Errors
     ///
-    /// A path would replace a recording, or the name has the ending of another kind of file.
+    /// A path would replace a recording, or the file ending of `out` is neither csv nor mot.
     pub fn of(out: Option<&Path>, recordings: &[Vec<PathBuf>], several: bool) -> Result<Places> {
         let Some(out) = out else {
             return Ok(Places::default());

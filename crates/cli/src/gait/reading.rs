@@ -1,4 +1,4 @@
-//! One recording of `gaitcam gait`: how it is read, described and written.
+//! Reads, describes and writes one recording for `gaitcam gait`.
 
 use std::path::{Path, PathBuf};
 
@@ -19,22 +19,22 @@ use gaitcam_output::gait as tables;
 /// Result of reading a recording.
 #[derive(Default)]
 pub(super) struct Read {
-    /// Path of the recording, or paths of the files of its plates.
+    /// Path of the recording, or paths of the files of its force plates.
     pub(super) paths: Vec<PathBuf>,
     /// Interpretation of the recording; `None` if the file contains exactly one cycle.
     pub(super) understood: Option<Interpretation>,
-    /// Mean cycle of the recording; `None` if the recording has none.
+    /// Mean cycle of the recording; `None` if it cannot be computed.
     pub(super) cycle: Option<Cycle>,
-    /// Cycle in a file that contains exactly one cycle.
+    /// Cycle of a file that contains exactly one cycle; `None` for other files.
     pub(super) given: Option<ForceCurve>,
-    /// Error because of which the recording has no cycle.
+    /// Error because of which the recording has no cycle; `None` if it has one.
     pub(super) fault: Option<Error>,
-    /// Text that describes the recording.
+    /// Description of the recording for the console.
     pub(super) text: String,
     pub(super) object: Value,
 }
 
-/// Reads one recording from its file, or from the files of its plates. If `all` is set, the text lists every stance.
+/// Reads one recording from its file, or from the files of its force plates. If `all` is set, the text lists every stance.
 pub(super) fn read(options: ReadOptions, paths: &[PathBuf], feet: Feet, all: bool) -> Result<Read> {
     let path = paths[0].as_path();
     if path.extension().is_some_and(|e| e == "toml") {
@@ -166,7 +166,7 @@ pub(super) fn write_picture(place: &Path, picture: &output::Picture) -> Result<(
     write_whole(&place.with_extension("png"), &picture.png())
 }
 
-/// Message `key` with the names of files filled in.
+/// Message `key` in which the file names replace the placeholder.
 pub(super) fn of_files(key: &str, files: &str) -> String {
     words::fill(key, &json!({"file": files}))
 }

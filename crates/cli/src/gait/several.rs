@@ -117,7 +117,7 @@ fn open(read: &Read, accept: &[OpenQuestion]) -> Vec<OpenQuestion> {
     doubts.filter(|d| !accept.contains(d)).collect()
 }
 
-/// Reason for which each recording is excluded from the joint mean; `None` if it is included.
+/// Reason why each recording is excluded from the joint mean; `None` if it is included.
 fn reasons(
     reads: &[Read],
     joint: &Result<JointMean>,

@@ -13,11 +13,11 @@ use gaitcam_app::design::{is_of_machine, put_on};
 
 /// A command-line flag that sets a key of the machine.
 pub struct Flag<'a> {
-    /// Name of the flag.
+    /// Name of the flag with its dashes, such as `--friction`.
     pub name: &'static str,
     /// Key of the scene that the flag sets.
     pub key: &'static str,
-    /// Value of the flag.
+    /// Value of the flag as typed by the user, with its unit.
     pub value: &'a str,
 }
 

@@ -17,7 +17,7 @@ pub struct Recordings {
 }
 
 /// All named files, and the recordings in each named folder, sorted by name within the folder. Hidden files are skipped. `argument` is the
-/// name of the argument that contains the paths; it is used in the error for paths without a recording.
+/// name of the argument that contains the paths. The error for paths without a recording contains this name.
 pub fn recordings(paths: &[PathBuf], argument: &str) -> Result<Recordings> {
     let mut out = Recordings::default();
     for path in paths {

@@ -19,8 +19,8 @@ use crate::refused;
 /// Default limits of processor time, s: `DESIGN_S` for one design, `ROW_S` for one row of a sweep.
 const DESIGN_S: f64 = 60.0;
 const ROW_S: f64 = 5.0;
-/// Delay between the time limit and the end of a program that still waits for an input. During the delay, an error about a folder locked
-/// by another process can be reported first.
+/// Time between the time limit and the forced end of a program that still waits for an input. During this time, an error about a folder
+/// locked by another process can be reported first.
 const GRACE: Duration = Duration::from_millis(300);
 /// Maximum time limit, s. A longer limit is reduced to this value.
 const LONGEST_S: f64 = 1e9;
@@ -59,8 +59,8 @@ impl TimeLimit {
         self.time_limit.map_or(PATIENCE, duration)
     }
 
-    /// Ends the program if the returned value is not dropped within the time limit. This is necessary because the reading of an input,
-    /// such as a pipe, may never end. `None` without a time limit given by the user.
+    /// Ends the program if the returned value is not dropped within the time limit plus a short delay. Reading an input, such as a pipe,
+    /// may otherwise never end. `None` without a time limit given by the user.
     pub fn of_input(self, json: bool) -> Option<Watch> {
         let limit = self.time_limit?;
         Some(Watch::new(move |waits| {

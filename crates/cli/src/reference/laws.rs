@@ -71,7 +71,7 @@ fn object((rise, f, ends): &Row) -> Value {
 }
 
 fn text(rows: &[Row]) -> String {
-    // Name of a law in the language of the output, if it differs from the name in scenes.
+    // Name of a law in the language of the output. It may differ from the name in scenes.
     let called = |rise: &Rise| words::name(rise.name());
     let differs = rows.iter().any(|row| called(&row.0) != row.0.name());
     let second = |called: String| if differs { vec![called] } else { Vec::new() };

@@ -1,4 +1,4 @@
-//! `gaitcam simulate`: simulates the cam from the points of its output profile, as for manufacture, and not from the law of the design.
+//! `gaitcam simulate`: simulates the cam from the points of its exported profile instead of the exact law of the design.
 
 mod speeds;
 
@@ -82,7 +82,7 @@ pub struct SimulateArgs {
 }
 
 impl SimulateArgs {
-    /// Flags that set keys of the machine, if they are given.
+    /// Flags of the command line that set keys of the machine. Flags that are not given are omitted.
     fn machine(&self) -> Vec<Flag<'_>> {
         [
             ("--speed", "drive.speed", &self.speed),
@@ -112,8 +112,8 @@ impl SimulateArgs {
     }
 }
 
-/// Designs the cam of the scene or result folder, samples its profile as for the files, and simulates it. The exit code is 3 if there is
-/// no cam, a limit is violated or contact is lost.
+/// Designs the cam of the scene or result folder, samples its profile as for the output files, and simulates the sampled cam. The exit code
+/// is 3 if there is no cam, a limit is violated or contact is lost.
 pub fn run(args: &SimulateArgs) -> Result<u8> {
     args.lengths.units.display();
     let model = Model::parse(&args.model).ok_or_else(|| {

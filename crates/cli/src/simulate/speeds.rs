@@ -29,7 +29,7 @@ use gaitcam_app::inputs;
 use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_output::plots::{self, AtSpeed};
 
-/// Maximum number of speeds.
+/// Maximum number of speeds in `--speeds`.
 const MOST: usize = 1000;
 const COLUMNS: &str =
     "speed_rad_per_s,rms_error_n,dlf_1,dlf_2,dlf_3,dlf_4,torque_max_n_m,contact_lost,ripple";
@@ -162,14 +162,14 @@ fn at(
     Ok(Row { at, stands: None })
 }
 
-/// Whether an error means that the motor cannot turn the shaft at the requested speed.
+/// Whether the error states that the motor cannot turn the shaft at the requested speed.
 fn stands(error: &Error) -> bool {
     use DynamicsError::{NoLoadSpeed, Stalls, StallsAnyway};
     let fault = error.fault::<DynamicsError>();
     fault.is_some_and(|f| matches!(f, Stalls { .. } | StallsAnyway | NoLoadSpeed { .. }))
 }
 
-/// Dynamic load factors of the target for harmonics 1 to 4 of the step frequency; `None` if the target has fewer.
+/// Dynamic load factors of the target for harmonics 1 to 4 of the step frequency; `None` if one of these harmonics is absent.
 fn target_factors(design: &Design) -> Option<[f64; 4]> {
     let factors = design.load_factors();
     let of_step = |k: f64| factors.iter().find(|f| f.of_step == k).map(|f| f.target);
@@ -177,7 +177,8 @@ fn target_factors(design: &Design) -> Option<[f64; 4]> {
     four?.try_into().ok()
 }
 
-/// Amplitude of the component of the force over time at an angular frequency, rad/s.
+/// Amplitude of the sinusoidal component of the contact force at the angular frequency `frequency`, rad/s. It has the unit of the contact
+/// force.
 fn amplitude(outcome: &Outcome, frequency: f64) -> f64 {
     let (mut cosine, mut sine, mut sum) = (0.0, 0.0, 0.0);
     for row in &outcome.rows {
@@ -206,7 +207,7 @@ impl Row {
         })
     }
 
-    /// Cells of the row. `speed` is the text of the first cell.
+    /// Texts of this row for the console table. `speed` is the text of the first cell.
     fn cells(&self, speed: String) -> Vec<String> {
         let at = &self.at;
         if let Some(why) = &self.stands {

@@ -21,7 +21,7 @@ const MANY: u64 = 100_000_000;
 
 /// Definition of a sweep, and the input files of its scenes.
 pub struct Asked {
-    /// Definition of the sweep.
+    /// Scenes of the sweep, and varied keys with their values.
     pub question: SweepQuestion,
     /// Input files of each base scene.
     pub files: Vec<Disk>,
@@ -41,7 +41,7 @@ pub fn question(args: &SweepArgs) -> Result<Asked> {
     }
     let mut set = args.set.clone();
     if let Some(first) = given.files.first() {
-        // A scene without a recording is complete with any recording of the command line.
+        // The first recording completes scenes without a recording. In the rows, each recording in turn replaces it.
         set.push(format!("gait.file={}", toml::Value::from(first.as_str())));
     }
     let list = args.list.as_deref().map(list).transpose()?;
@@ -78,7 +78,7 @@ pub fn question(args: &SweepArgs) -> Result<Asked> {
     Ok(Asked { question, files })
 }
 
-/// Sweep of designs, and the input files of its scenes.
+/// Builds the sweep from the arguments. Also returns the input files of each base scene.
 pub fn sweep(args: &SweepArgs) -> Result<(Sweep, Vec<Disk>)> {
     let Asked { question, files } = question(args)?;
     let varies = [&question.vary, &question.list]
@@ -159,7 +159,7 @@ fn list(path: &Path) -> Result<Vec<Varied>> {
 fn of_list(path: &Path, name: &str, values: Vec<String>) -> Result<Varied> {
     let read = |values: &[String]| Axis::list(name, values.iter().map(String::as_str));
     if let Err(fault) = read(&values) {
-        // First row with which the list becomes invalid.
+        // First row whose value makes the list invalid.
         let bad = (0..values.len()).find(|&row| read(&values[..=row]).is_err());
         return Err(list_fault(path, bad.unwrap_or(0), name, &fault));
     }

@@ -9,9 +9,9 @@ use gaitcam::sweep::{Outcome, Records};
 /// Numbers of rows of a sweep by outcome and verdict.
 #[derive(Debug, Clone, Default)]
 pub struct Counts {
-    /// Number of rows.
+    /// Number of counted rows.
     pub rows: u64,
-    /// Number of designed cams.
+    /// Number of rows with a designed cam.
     pub built: u64,
     /// Number of cams with the verdict "acceptable".
     pub acceptable: u64,
@@ -19,14 +19,14 @@ pub struct Counts {
     pub low_speed: u64,
     /// Number of rows with infeasible limits.
     pub infeasible: u64,
-    /// Number of rows whose scene is invalid.
+    /// Number of rows with an invalid scene.
     pub errors: u64,
-    /// Number and error message of the first row whose scene is invalid.
+    /// Number of the first row with an invalid scene, and its error message.
     pub first_error: Option<(u64, String)>,
 }
 
 impl Counts {
-    /// Counts of computed rows.
+    /// Counts the rows of `records` by outcome and verdict.
     pub fn of(records: &Records) -> Counts {
         let columns = ["outcome", "verdict", "error"].map(|name| records.words(name));
         let first = records.first_row().unwrap_or(0);
@@ -39,11 +39,11 @@ impl Counts {
         out
     }
 
-    /// Counts of the rows in a block file; `first` is the number of its first row. If the block is truncated, the total is smaller than
-    /// expected.
+    /// Counts of the rows in a block file. `first` is the number of its first row. If the block is truncated, the number of counted rows is
+    /// too small.
     pub fn of_block(path: &Path, first: u64) -> Counts {
         let mut out = Counts::default();
-        // The rows before the fault are counted. The caller compares the number with the expected one.
+        // The rows before the fault are counted. The caller compares their number with the expected number of rows.
         let _ = each_row(path, |columns, row| {
             let error = columns.names.iter().position(|n| n == "error");
             let error = error.map_or(String::new(), |c| row.word(c));

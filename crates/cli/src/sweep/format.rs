@@ -11,12 +11,12 @@ use gaitcam_app::read::cannot_be_read;
 #[cfg(feature = "parquet")]
 use gaitcam_output::parquet;
 
-/// File format of a table.
+/// File format of a sweep table and of its blocks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
     /// Comma-separated values.
     Csv,
-    /// Apache Parquet; requires the feature `parquet`.
+    /// Apache Parquet, which requires the feature `parquet`.
     #[cfg(feature = "parquet")]
     Parquet,
 }
@@ -54,7 +54,7 @@ impl Format {
         }
     }
 
-    /// Rows as lines of CSV text; empty for other formats.
+    /// Rows as lines of CSV text. The text is empty for other formats.
     pub fn lines(self, records: &Records) -> String {
         match self {
             Format::Csv => records.csv_rows(),
@@ -73,7 +73,7 @@ impl Format {
     ) -> Result<Vec<u8>> {
         match self {
             Format::Csv => {
-                // CSV cannot store metadata; the plan of the folder contains them.
+                // CSV cannot store metadata. The file `_plan.json` in the folder of blocks contains them.
                 let _ = metadata;
                 Ok((records.csv_header() + lines).into_bytes())
             }

@@ -21,7 +21,7 @@ use serde_json::{Value, json};
 /// Name of the lock file in the folder.
 const LOCK: &str = ".lock";
 
-/// An unfinished table whose folder is locked by this process.
+/// An unfinished table of a sweep. This process has locked its folder.
 pub struct PartialTable {
     blocks: Blocks,
     folder: PathBuf,
@@ -121,7 +121,7 @@ impl PartialTable {
         Ok(())
     }
 
-    /// Counts of the rows that are complete so far.
+    /// Counts of the rows that are already complete.
     pub fn counts(&self) -> &Counts {
         &self.counts
     }
@@ -182,7 +182,7 @@ impl PartialTable {
         }
         self.blocks.remove_abandoned();
         drop(self._lock);
-        // A folder with files of others is not removed.
+        // The folder remains if it contains files of other programs.
         let _ = fs::remove_dir(self.folder);
         Ok(self.counts)
     }

@@ -14,7 +14,7 @@ use gaitcam_app::blocks::{BLOCK_ROWS, SharedBlocks};
 /// One of several equal shares of a sweep. Shares may be counted from 0 or from 1, because share 0 of N is the same as share N.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
-    /// Number of this share.
+    /// Number of this share, from 0 to `parts`.
     pub part: u64,
     /// Total number of shares.
     pub parts: u64,

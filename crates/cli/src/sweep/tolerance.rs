@@ -133,7 +133,7 @@ fn report(
     html(&page, language::current())
 }
 
-/// Key figures of the report: heading, value, remark.
+/// Key figures of the report, each as (heading, value, remark).
 fn cards(own: f64, s: &Spread, band: Option<f64>) -> Vec<(String, String, String)> {
     let percent = |x: f64| format!("{} %", number(x));
     let card = |key: &str, x: f64| (words::text(key), percent(x), String::new());

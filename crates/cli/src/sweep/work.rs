@@ -25,7 +25,7 @@ const FIRST_BLOCK: u64 = 8;
 pub fn stop_on_ctrl_c() -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     let flag = stop.clone();
-    // Without a handler, Ctrl-C ends the process at once; complete blocks are kept.
+    // If no handler can be installed, Ctrl-C ends the process at once. Complete blocks are kept.
     let _ = ctrlc::set_handler(move || {
         if flag.swap(true, Ordering::Relaxed) {
             std::process::exit(i32::from(INTERRUPTED));

@@ -14,11 +14,10 @@ use super::reports::{floor, population, shaft};
 use crate::console::language;
 use crate::console::words::{self, fixed, number, power};
 
-/// Maximum numbers of console lines for each kind of information. For further lines, only their number is stated. The file summary.json
-/// contains all data.
+/// Maximum numbers of console lines for each kind of information. Omitted lines are only counted. The file summary.json contains all data.
 const CHECKS: usize = 5;
 const FAILED_CHECKS: usize = 4;
-/// Number of harmonics whose load factor is printed.
+/// Number of harmonics for which the load factor is printed.
 const LOAD_FACTORS: usize = 4;
 const ACTIVE_LIMITS: usize = 3;
 const SENSITIVITIES: usize = 2;
@@ -111,9 +110,9 @@ fn check_line(mark: &str, check: &Check, design: &Design) -> String {
     let value = |x: f64| shown(design, check.name, x, language::current());
     let measures = design.cam.follower.measures();
     let message = match check.name {
-        // The limit is a rounding tolerance.
+        // The limit of an interference check is only a rounding tolerance and is not printed.
         Criterion::Interference | Criterion::SecondInterference if check.pass => "synth-check-none",
-        // The value applies to the whole turn and has no position.
+        // The RMS force error applies to the whole turn and has no position.
         Criterion::RmsError => "synth-check-overall",
         _ => "synth-check",
     };

@@ -179,8 +179,8 @@ fn statistics(args: &WalkArgs, strides: usize) -> Result<StepStatistics> {
     })
 }
 
-/// The walk in the machine of a design. If the axis moves, the force of the walk is scaled to the mean force of the cam, because this
-/// mean force corresponds to the weight of the walker.
+/// The walk in the machine of a design. For a moving axis, the force of the walk is scaled to the mean force of the cam. This mean force
+/// corresponds to the weight of the walker.
 fn on_cam(walk: Walk, design: &Design) -> Walk {
     let drive = &design.problem.drive;
     if drive.kind != DriveKind::MovingAxis {
@@ -239,7 +239,7 @@ fn picture(
     write_whole(&place.with_extension("png"), &picture.png())
 }
 
-/// Minimum and maximum of the values.
+/// Minimum and maximum of the values. An empty list gives +∞ and −∞.
 pub fn ends(values: &[f64]) -> [f64; 2] {
     let ends = [f64::INFINITY, f64::NEG_INFINITY];
     values
@@ -247,7 +247,7 @@ pub fn ends(values: &[f64]) -> [f64; 2] {
         .fold(ends, |[low, high], x| [low.min(*x), high.max(*x)])
 }
 
-/// Maximum absolute value of a list; 0 for an empty list.
+/// Maximum absolute value of a list. An empty list gives 0.
 pub fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most, x| most.max(x.abs()))
 }
@@ -275,7 +275,7 @@ fn amplitude_cv(walk: &Walk, found: &Followed) -> f64 {
     own.variability().amplitude_cv
 }
 
-/// One value of each misfit as text with three decimals. `value` selects the misfit or the ratio of the peaks.
+/// One value of each misfit as text with three decimals. `value` selects the value, such as the misfit itself or its peak ratio.
 pub fn list(of: &[Misfit], value: impl Fn(&Misfit) -> f64) -> String {
     let all: Vec<String> = of.iter().map(|m| fixed(value(m), 3)).collect();
     all.join("  ")

@@ -1,4 +1,4 @@
-//! One connection with consecutive requests. The size of each request and the time in which it must arrive are limited.
+//! One connection with consecutive requests. The size and the arrival time of each request are limited.
 
 use std::io::{self, Read, Write};
 use std::net::{Shutdown, TcpStream};
@@ -68,8 +68,8 @@ impl Connection {
         Ok(!head.closes)
     }
 
-    /// Receives the next head. The result is a rejection for an invalid head, or `None` if the client has closed the connection or the time limit
-    /// is exceeded.
+    /// Receives the next head. The result is a rejection for an invalid head. It is `None` if the client has closed the connection or the
+    /// time limit is exceeded.
     fn head(&mut self) -> io::Result<Option<Result<Head, Response>>> {
         if self.buffer.is_empty() && self.more(Instant::now() + PATIENCE)? == 0 {
             return Ok(None);
@@ -121,7 +121,7 @@ impl Connection {
         Ok(read)
     }
 
-    /// Sends a rejection and closes the connection. Returns `false`, which means that the connection is closed.
+    /// Sends a rejection and closes the connection. Returns `false`, because the connection does not remain open.
     fn refuse(&mut self, refusal: &Response) -> io::Result<bool> {
         refusal.write(&mut &*self.stream, true, true)?;
         self.stream.shutdown(Shutdown::Write)?;

@@ -19,13 +19,13 @@ pub enum Method {
 /// Head of an HTTP request: method, address and headers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Head {
-    /// Method of the request.
+    /// HTTP method of the request.
     pub method: Method,
     /// Path of the address, percent-decoded.
     pub path: String,
-    /// Query of the address, as decoded pairs of names and values.
+    /// Query of the address as pairs of names and values, percent-decoded.
     pub query: Vec<(String, String)>,
-    /// Values of all `Host` headers.
+    /// Values of all `Host` headers. A valid request has exactly one.
     pub hosts: Vec<String>,
     /// Value of the header `Origin`; `None` without this header.
     pub origin: Option<String>,
@@ -33,7 +33,7 @@ pub struct Head {
     pub length: usize,
     /// Whether the client waits for a confirmation before it sends the body.
     pub expects: bool,
-    /// Whether the client requests that the connection is closed after the response.
+    /// Whether the client requests that the server closes the connection after the response.
     pub closes: bool,
 }
 

@@ -1,7 +1,7 @@
 //! HTTP/1.1 server for a single user on one machine.
 //!
-//! `httparse` parses the heads, and one thread serves each connection. The project has its own server because limits of size and time must apply
-//! before a body is read. The server does not support chunked bodies, compression or ranges.
+//! `httparse` parses the heads, and one thread serves each connection. Limits of size and time must apply before a body is read, so the
+//! project has its own server. The server does not support chunked bodies, compression or ranges.
 
 mod connection;
 mod head;
@@ -27,7 +27,7 @@ pub struct Request {
 /// Function that returns whether the client has disconnected.
 pub type Gone = Arc<dyn Fn() -> bool + Send + Sync>;
 
-/// Handler of the requests of a server. It is called first with the head, then with the whole request.
+/// Handler of the requests of a server. The server calls it first with the head, then with the whole request.
 pub trait Service: Send + Sync + 'static {
     /// Accepts the request, or returns a rejection.
     fn admit(&self, head: &Head) -> Result<(), Response>;

@@ -1,5 +1,5 @@
-//! Limits on the number of connections. If too many connections wait for a request, the connection that has waited longest is closed. Connections
-//! with a request in process are not closed.
+//! Limits on the number of connections. If too many connections wait for a request, the connection with the longest waiting time is closed.
+//! Connections with a request in process are not closed.
 
 use std::collections::VecDeque;
 use std::net::{Shutdown, TcpStream};
@@ -10,7 +10,7 @@ use crate::lock;
 
 /// Maximum number of connections without a complete and accepted request. If this number is exceeded, the oldest of these connections is closed.
 const WAITING: usize = 64;
-/// Maximum number of requests that are processed at the same time. This number is sufficient for several pages with six connections each.
+/// Maximum number of requests that are processed at the same time. It is sufficient for several pages with six connections each.
 const ANSWERED: usize = 96;
 
 /// Connections that wait for a request, and the number of requests in process.
@@ -35,7 +35,8 @@ impl Places {
         Waiting { places, stream }
     }
 
-    /// Registers a request that is being processed, until the returned value is dropped. `None` if the limit is reached.
+    /// Registers a request that is being processed, until the returned value is dropped. `None` if the maximum number of requests are in
+    /// process.
     pub fn answer(&self) -> Option<Answering<'_>> {
         let place = Answering(&self.answered);
         (self.answered.fetch_add(1, Ordering::SeqCst) < ANSWERED).then_some(place)

@@ -48,7 +48,7 @@ impl Status {
 /// necessary for programs that control a browser.
 const POLICY: &str = "default-src 'none'; script-src 'self' 'unsafe-eval'; connect-src 'self'; img-src 'self' data: blob:; \
     style-src 'self' 'unsafe-inline'; font-src 'self'; base-uri 'self'; form-action 'none'; frame-ancestors 'none'";
-/// Content security policy of a report, which contains its own script and has no access to the network.
+/// Content security policy of a report. The report contains its own script and has no access to the network.
 const REPORT: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; sandbox allow-scripts";
 
 /// HTTP response to a request.
@@ -56,7 +56,7 @@ const REPORT: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 
 pub struct Response {
     /// Status code of the response.
     pub status: Status,
-    /// Media type of the response.
+    /// Media type of the response, such as `application/json`.
     pub kind: &'static str,
     /// Body of the response, as bytes.
     pub body: Vec<u8>,
@@ -98,7 +98,8 @@ impl Response {
         self
     }
 
-    /// Writes the response to `out`. The body is omitted for a HEAD request (`with_body` false).
+    /// Writes the response to `out`. The body is omitted if `with_body` is false, as for a HEAD request. `closes` states that the server
+    /// closes the connection.
     pub fn write(&self, out: &mut impl Write, closes: bool, with_body: bool) -> io::Result<()> {
         let policy = if self.file.is_some() { REPORT } else { POLICY };
         let mut head = format!(
@@ -128,7 +129,7 @@ impl Response {
             head.push_str("Connection: close\r\n");
         }
         head.push_str("\r\n");
-        // Head and body are sent in one write. A separate head would wait for the acknowledgement of the previous packet.
+        // Head and body are sent in one write. If the head were sent separately, the body would wait for its acknowledgement.
         let mut bytes = head.into_bytes();
         if with_body {
             bytes.extend_from_slice(&self.body);

@@ -16,7 +16,7 @@ pub struct Server {
 }
 
 impl Server {
-    /// Listens on a port of the loopback address; 0 selects a free port.
+    /// Listens on a port of the loopback address. Port 0 selects a free port.
     ///
     /// # Errors
     ///
@@ -41,7 +41,7 @@ impl Server {
                 let serve = move || connection::serve(stream, &shared.0, &shared.1);
                 thread::Builder::new().spawn(serve)
             });
-            // No file handles or threads are left: wait until some are released.
+            // No file handle or thread is available. The server waits until others are released.
             if spawned.is_err() {
                 thread::sleep(Duration::from_millis(50));
             }

@@ -7,16 +7,17 @@ use gaitcam::cam::{Cam, Check};
 use gaitcam::criterion::{Criterion, LimitKind};
 use gaitcam::synth::Design;
 
-/// Contour of a cam in the cam frame, with the centres of curvature; lengths in mm.
+/// Contour of a cam and its centres of curvature in the cam frame. Lengths are in mm.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Contour {
     x: Vec<Shown>,
     y: Vec<Shown>,
-    /// x coordinate of the centre of curvature, mm. `centre_y` is its y coordinate. `radius` is the radius of curvature, mm, positive where convex.
+    /// x coordinate of the centre of curvature, mm. `centre_y` is its y coordinate, mm. `radius` is the radius of curvature, mm, positive
+    /// where the contour is convex.
     centre_x: Vec<Shown>,
     centre_y: Vec<Shown>,
     radius: Vec<Shown>,
-    /// Quantity that colours the contour. Its values are in `values`, which is empty without colours.
+    /// Quantity that colours the contour. `values` contains this quantity at each point and is empty without colours.
     colour: Colour,
     values: Vec<Shown>,
 }
@@ -32,7 +33,7 @@ pub enum Colour {
     PressureAngle,
     /// Curvature, 1/m, positive where convex.
     Curvature,
-    /// Utilisation of the curvature limit, %: permitted minimum radius of curvature divided by the local radius of curvature.
+    /// Utilisation of the curvature limit, %: permitted minimum radius of curvature divided by the absolute local radius of curvature.
     CurvatureUse,
     /// Contact force between cam and follower, N.
     Force,
@@ -55,7 +56,7 @@ pub struct Place {
     pub broken: bool,
 }
 
-/// Contour of a design at the sampled cam angles, with the values of `colour`.
+/// Contour of a design at the sampled cam angles, with the values of the quantity `colour`.
 pub(super) fn contour(design: &Design, samples: &[Sample], colour: Colour) -> Contour {
     let cam = &design.cam;
     let all = |value: &dyn Fn(&Sample) -> f64| -> Vec<Shown> {
@@ -92,7 +93,7 @@ pub(super) fn contour(design: &Design, samples: &[Sample], colour: Colour) -> Co
     }
 }
 
-/// Permitted minimum radii of curvature of convex and of concave parts, m; NaN without a limit.
+/// Permitted minimum radii of curvature of convex and concave parts, m. A radius without a limit is NaN.
 fn smallest_radii(design: &Design) -> [f64; 2] {
     [Criterion::from(LimitKind::Curvature), Criterion::Concave].map(|name| {
         let limits = |c: &&Check| c.name == name && c.limit > 0.0;

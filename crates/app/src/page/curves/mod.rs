@@ -21,13 +21,14 @@ const LENGTH: Unit = Unit {
     factor: MM,
     name: "mm",
 };
-/// Maximum radius of curvature that the diagram shows, as a multiple of the prime radius. Where the radius is larger, the profile looks straight.
+/// Maximum radius of curvature in the diagram, as a multiple of the prime radius. Where the radius is larger, the profile is nearly
+/// straight.
 const STRAIGHT: f64 = 3.0;
 
 /// Fraction of a curve's maximum below which a value counts as a rounding error and is shown as zero.
 const ROUNDING: f64 = 1e-9;
 
-/// Number for the page, rounded to six digits; `None`, which is null in JSON, for a missing value.
+/// Number for the page, rounded to six significant digits. `None`, which is null in JSON, represents a missing value.
 type Shown = Option<f64>;
 
 fn short(x: f64) -> Shown {
@@ -42,13 +43,13 @@ fn short(x: f64) -> Shown {
 /// All curves of a design, sampled at the same cam angles.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Curves {
-    /// Cam angles, or positions of a translating cam, in `unit`. A break of the law appears twice, once for each side.
+    /// Cam angles, or positions of a translating cam, in `unit`. A break of the law appears twice, once for each side of the break.
     pub theta: Vec<Shown>,
     /// First cam angle, or first position of the travel, in `unit`.
     pub start: f64,
     /// Angle of one turn, or length of the travel, in `unit`.
     pub length: f64,
-    /// Unit of the cam angle or travel.
+    /// Unit of the cam angle or travel, such as `°`.
     pub unit: &'static str,
     /// Diagrams of the page. The first one shows the force.
     pub panels: Vec<Panel>,
@@ -63,20 +64,20 @@ pub struct Curves {
 pub struct Panel {
     /// Name of the quantity in JSON data: `force`, `s`, `v` …
     pub id: &'static str,
-    /// Unit of the values in the diagram.
+    /// Unit of the values in the diagram, such as `mm`.
     pub unit: &'static str,
     /// Curves of the diagram, each with its role: `main`, `target`, `low`, `high` or `worst`.
     pub lines: Vec<Line>,
-    /// Horizontal lines that show the limits.
+    /// Horizontal lines of the diagram, which show limits or the nominal speed.
     pub levels: Vec<Level>,
 }
 
-/// Horizontal line that shows a limit in a diagram.
+/// Horizontal line in a diagram. It shows a limit or, in the speed diagram, the nominal speed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Level {
     /// Height of the line, in the unit of the diagram.
     pub y: Shown,
-    /// Key of the scene that sets the limit; empty if the limit has no key.
+    /// Key of the scene that sets the limit. It is empty for the nominal speed and for a limit without a key.
     pub key: &'static str,
     /// Value from which the limit is measured, in the unit of the diagram; `None` if the line itself is the limit.
     pub from: Shown,
@@ -85,13 +86,14 @@ pub struct Level {
 /// One curve of a diagram.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Line {
-    /// Role of the curve: `main`, `target`, `low` or `high` for the edges of a band, or `worst` for the walker with the largest error.
+    /// Role of the curve: `main`, `target`, `low`, `high` or `worst`. `low` and `high` are the edges of a band. `worst` is the target force
+    /// of the walker with the maximum error.
     pub role: &'static str,
     /// Values of the curve at the angles of [`Curves::theta`], in the unit of the diagram.
     pub y: Vec<Shown>,
 }
 
-/// Function that selects lift, velocity, acceleration or jerk.
+/// Function that selects one of lift, velocity, acceleration and jerk.
 type Pick = fn(&Svaj) -> f64;
 
 /// Motion, force and contact point at one cam angle.
@@ -152,7 +154,7 @@ fn line_of(role: &'static str, samples: &[Sample], value: impl Fn(&Sample) -> f6
         .iter()
         .filter(|x| x.is_finite())
         .fold(0.0_f64, |m, x| m.max(x.abs()));
-    // Values that are only rounding errors of large differences are shown as zero.
+    // A value that is only the rounding error of a difference of large numbers is shown as zero.
     let shown = |x: f64| short(if x.abs() < ROUNDING * most { 0.0 } else { x });
     let y = y.into_iter().map(shown).collect();
     Line { role, y }
@@ -301,8 +303,8 @@ fn levels(design: &Design, diagram: Diagram, factor: f64, lowest: f64) -> Vec<Le
     out
 }
 
-/// Key that sets a limit, or an empty text. The limits of the pressure angle during rise and during fall have the same key, unless the scene limits
-/// one of them separately.
+/// Key that sets a limit, or an empty text. One key sets the limits of the pressure angle during rise and during fall, unless the scene
+/// limits one of them separately.
 fn key(design: &Design, kind: LimitKind) -> &'static str {
     let both = LimitKind::PressureAngle;
     let alone = design.problem.value(kind.into()).is_some();

@@ -5,7 +5,7 @@ use gaitcam_output::curve;
 
 use super::{Line, Sample, line_of};
 
-/// Envelope of the walkers' target forces, and the target force of the walker with the largest error.
+/// Envelope of the target forces of all walkers, and the target force of the walker with the maximum error.
 ///
 /// The target force of each walker is converted linearly to the scale of the displayed force. Where the displayed force equals the converted target
 /// force, the walker has no force error.

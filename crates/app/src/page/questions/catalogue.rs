@@ -1,4 +1,4 @@
-//! Contents of the program that do not depend on a scene: texts, keys, built-in scenes and laws.
+//! Contents of the program that do not depend on a scene: texts, keys, built-in scenes and laws of motion.
 
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -15,7 +15,7 @@ use gaitcam::wording::{Language, people, scene_doc};
 use gaitcam_output::report::parts;
 use gaitcam_output::{laws_report, palette};
 
-/// Number of points of a law's curve in the catalogue.
+/// Number of points on the curve of a law in the catalogue.
 const POINTS: usize = 60;
 
 /// Data that the page loads once when it is opened.
@@ -40,7 +40,7 @@ pub fn start(start: &Start) -> Value {
     })
 }
 
-/// Text of a built-in scene. A scene that needs a recording from the user gets the built-in example recording.
+/// Text of a built-in scene. If the scene has no recording of its own, the built-in example recording is inserted.
 fn with_recording(name: &str, toml: &str) -> String {
     let file = format!("[gait]\nfile = \"{EXAMPLE_RECORDING}\"\n");
     match name {

@@ -1,4 +1,4 @@
-//! Design of a scene, with all data that the page shows about it.
+//! Design of a scene, with all data about the design that the page shows.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -39,21 +39,21 @@ pub struct Ask {
     /// Quantity that colours the contour.
     #[serde(default)]
     pub colour: Colour,
-    /// Prime radius and offset of the last design, m, while the user drags a slider. In this case any feasible law of about this size is
-    /// sufficient.
+    /// Prime radius and offset of the last design, m. They are given while the user drags a slider. In this case, any feasible law of about
+    /// this size is sufficient.
     #[serde(default)]
     pub quick: Option<[f64; 2]>,
 }
 
-/// Sizes that a quick design tries, as multiples of the last minimum size. At the minimum size itself, few laws are feasible.
+/// Sizes that a quick design tries, as multiples of the last prime radius. At the minimum size itself, few laws are feasible.
 const NEAR: [f64; 2] = [1.08, 1.3];
-/// Maximum number of checks of the stop condition in a quick search. Most feasible laws are found within 400.
+/// Maximum number of checks of the stop condition in a quick search. Most feasible laws are found within 400 checks.
 const LOOKS: usize = 500;
 
 /// Data about a design for the page.
 #[derive(Serialize)]
 pub struct Answer {
-    /// Hash of the scene and its files; `force_hash` is the hash of the force alone.
+    /// Hash of the scene and its files. `force_hash` is the hash of the target force only.
     design_hash: Hash,
     force_hash: Option<Hash>,
     name: String,
@@ -64,7 +64,7 @@ pub struct Answer {
     notes: Vec<String>,
     infeasible: bool,
     conflict: Vec<String>,
-    /// Suggested changes of keys that answer the open questions about the recording.
+    /// Suggested changes of keys that resolve the open questions about the recording.
     asks: Vec<remedies::Remedy>,
     relaxations: Vec<Change>,
     easing: Vec<Eased>,
@@ -72,7 +72,8 @@ pub struct Answer {
     checks: Vec<Checked>,
     numbers: Value,
     continuity: Continuity,
-    /// Verdict on the continuity of the law by the rule of the program CAM-DAS, which requires one more continuous derivative.
+    /// Verdict on the continuity of the law by the CAM-DAS rule, which requires one more continuous derivative than the verdict of this
+    /// program.
     cam_das: &'static str,
     drawing: String,
     motion: Motion,
@@ -84,7 +85,7 @@ pub struct Answer {
     names: BTreeMap<String, String>,
     idle: bool,
     needs_relaxing: bool,
-    /// Whether the design is a quick one, with a feasible law instead of the optimum. The page then requests the full design.
+    /// Whether the design is a quick one, which has a feasible law instead of the optimum. The page then requests the full design.
     quick: bool,
     server_ms: f64,
 }
@@ -148,7 +149,7 @@ pub fn read(files: &Files, ask: &Ask) -> Result<Value> {
     let scene = match files.scene(&table) {
         Ok((scene, _)) => scene,
         Err(fault) if !ask.changes.is_empty() => return Err(fault),
-        // The fields of a scene with a fault are also shown.
+        // The fields are also shown for an invalid scene.
         Err(_) => Scene::default(),
     };
     let name = table.get("name").and_then(toml::Value::as_str);
@@ -237,10 +238,10 @@ impl Input {
     }
 }
 
-/// Quick design while the user drags a slider: a feasible law instead of the optimum. If no feasible law is found in a short search, the design has
-/// the law without limits.
+/// Quick design while the user drags a slider: a feasible law instead of the optimum. If a short search finds no feasible law, the limits
+/// are ignored.
 ///
-/// `None` if the law without limits does not exist. In this case, only the full design contains the reason.
+/// `None` if the law does not exist without limits either. In this case, only the full design contains the reason.
 fn soon(files: &Files, table: &Table, size: [f64; 2]) -> Result<Option<Made>> {
     let start = files.host.seconds();
     let (scene, whole) = files.scene(table)?;
@@ -281,7 +282,7 @@ fn soon(files: &Files, table: &Table, size: [f64; 2]) -> Result<Option<Made>> {
     }))
 }
 
-/// Copy of the scene with a fixed size: `factor` times the prime radius (m), and the given offset (m) if the scene has none.
+/// Copy of the scene with a fixed size. The prime radius is `factor` times `prime`, m. The offset is `offset`, m, if the scene has none.
 fn of_size(scene: &Scene, factor: f64, [prime, offset]: [f64; 2]) -> Scene {
     let mut sized = scene.clone();
     sized.cam.prime_radius = Some(factor * prime);
@@ -349,7 +350,7 @@ pub fn reasons(design: &Design, language: Language) -> String {
     facts.join(" ")
 }
 
-/// Message of the program in the form that the page shows: with labels instead of keys, and with at most four significant digits in numbers.
+/// Converts a message of the program to the form on the page: labels replace keys, and numbers have at most four significant digits.
 pub fn shown(sentence: &str, language: Language) -> String {
     plain::short(&plain::plain(sentence, "", language))
 }
@@ -368,7 +369,7 @@ fn exports(design: &Design) -> Vec<(&'static str, Vec<&'static str>)> {
         .collect()
 }
 
-/// Key figures of a design (single numbers, such as the force error) by column name; null for missing values.
+/// Key figures of a design (single numbers, such as the force error) by column name. Missing values are null.
 fn numbers(kept: &Made) -> Value {
     let row = gaitcam::sweep::Row::of(&kept.design);
     let pairs = FIGURES.iter().zip(row.numbers);

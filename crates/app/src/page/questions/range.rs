@@ -11,7 +11,7 @@ use gaitcam::cam::Verdict;
 use gaitcam::error::Result;
 use gaitcam::scene::keys::{self, Kind};
 
-/// Time, s, after which no further design is started. The page requests the values in several blocks, and can stop between them.
+/// Time, s, after which no further design is started. The page requests the values in several blocks and can stop between two blocks.
 const BLOCK: f64 = 0.12;
 /// Maximum number of checks of the stop condition in the search of one design. Unlike a time limit, this number gives the same verdicts on every
 /// machine.
@@ -36,15 +36,15 @@ pub struct Span {
     pub to: f64,
     /// Number of values, equally spaced.
     pub count: usize,
-    /// Unit after the number in a scene file, with the space before it; empty for a count.
+    /// Unit after the number in a scene file, including the space before it. It is empty for a count.
     #[serde(default)]
     pub unit: String,
 }
 
-/// Verdicts of the designs at the values, in their order: `[[20.0, "unacceptable"], …]`.
+/// Verdicts of the designs for all values, in the order of the values: `[[20.0, "unacceptable"], …]`.
 ///
-/// The list contains at least one entry. It is shorter than requested if the time limit of a block is reached. The verdict is "unknown" if the search
-/// ended early and the design did not pass its checks. It is "fault" if no design can be computed with this value.
+/// The list contains at least one entry. It is shorter than requested if the time limit of a block is reached. The verdict is "unknown" if
+/// the search ended early and the design did not pass its checks. It is "fault" if no design can be computed with this value.
 ///
 /// # Errors
 ///
@@ -63,7 +63,7 @@ pub fn range(files: &Files, span: &Span) -> Result<Value> {
     Ok(json!({ "values": verdicts }))
 }
 
-/// Equally spaced values of the key, rounded to whole numbers for a count. Equal values appear once.
+/// Equally spaced values of the key. Counts are rounded to whole numbers. Equal values appear once.
 fn values(span: &Span) -> Vec<f64> {
     let count = span.count.clamp(1, MOST);
     let step = (span.to - span.from) / count.saturating_sub(1).max(1) as f64;

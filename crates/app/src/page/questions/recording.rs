@@ -73,7 +73,7 @@ pub struct Contacts {
     /// Numbers of the excluded stances, counted from 0.
     #[serde(default)]
     pub without: Vec<usize>,
-    /// Feet whose stances are used, as text.
+    /// Feet from which stances are used, as text (see the key `gait.feet`).
     #[serde(default)]
     pub feet: String,
     /// Options for reading the recording: keys of `gait` with their values.
@@ -81,8 +81,8 @@ pub struct Contacts {
     pub options: BTreeMap<String, String>,
 }
 
-/// Contents of a recording without the excluded contacts. If contacts are excluded, the mean cycle of the remaining contacts is stored as a file that
-/// the scene can use.
+/// Contents of a recording without the excluded contacts. If contacts are excluded, the mean cycle of the remaining contacts is stored as a
+/// file for the scene.
 ///
 /// # Errors
 ///
@@ -171,12 +171,12 @@ fn described(bytes: &[u8], asked: &Contacts) -> Result<Value> {
     Ok(found)
 }
 
-/// Keys of `gait` for reading a recording. They do not apply to a file with its mean cycle.
+/// Keys of `gait` for reading a recording. They do not apply to the file with the mean cycle.
 const READER: [&str; 9] = [
     "time", "force", "unit", "rate", "mass", "kind", "period", "span", "noise",
 ];
 
-/// Comment line for the file of a mean cycle, with the open questions about its recording; `None` without open questions.
+/// Comment line of a mean-cycle file that lists the acceptable open questions about the recording; `None` without such questions.
 fn open_line(mut open: Vec<OpenQuestion>) -> Option<String> {
     open.retain(|question| question.is_acceptable());
     let names: Vec<&str> = open.into_iter().map(OpenQuestion::name).collect();
@@ -195,7 +195,8 @@ pub struct Whole {
 ///
 /// # Errors
 ///
-/// The scene or its recording is invalid, or the scene has several walkers.
+/// The scene or its recording is invalid. The scene has no force file or has several walkers. An open question about the recording cannot
+/// be accepted.
 pub fn mean_cycle(files: &Files, asked: &Whole) -> Result<Value> {
     let mut table = page::table(&asked.scene)?;
     let (scene, _) = files.scene(&table)?;
@@ -277,7 +278,7 @@ pub struct Points {
 ///
 /// # Errors
 ///
-/// There are too few points, or the times do not increase.
+/// There are fewer than 3 or more than 400 points, a number is not finite, or the points do not define a valid cycle.
 pub fn points(files: &Files, drawn: &Points) -> Result<Value> {
     let name = plain(&drawn.file);
     let mut points = drawn.points.clone();

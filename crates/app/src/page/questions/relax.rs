@@ -25,7 +25,7 @@ pub struct Change {
     value: Option<String>,
 }
 
-/// Suggested changes from the analysis of the conflict between limits. They have not been checked yet by a full design.
+/// Suggested changes from the analysis of the conflicting limits. A full design has not confirmed them yet.
 pub fn first_remedies(design: &Design, scene: &Scene) -> Vec<Change> {
     let own = match &design.infeasible {
         Some(infeasible) if design.relaxations.is_empty() => &infeasible.relaxations,
@@ -60,7 +60,7 @@ fn value(key: &str, scene: &Scene, x: f64) -> Option<String> {
     Some(written.as_str().map_or(written.to_string(), str::to_string))
 }
 
-/// Changes that make the design of a scene acceptable. Each change has been checked by a full design.
+/// Changes that make the design of a scene acceptable. A full design has confirmed each change.
 ///
 /// # Errors
 ///

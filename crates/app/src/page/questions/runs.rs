@@ -48,8 +48,9 @@ pub fn simulate(files: &Files, which: &Which) -> Result<Value> {
     }))
 }
 
-/// Comparison of two responses of a lightly damped mode: to the cam, whose excitation is exactly periodic, and to the recorded walk. The result
-/// contains a sentence, a table and a figure. It is empty if fewer than eight consecutive strides are recorded.
+/// Comparison of two responses of a lightly damped mode. The first is the response to the cam, whose excitation is exactly periodic. The
+/// second is the response to the recorded walk. The result contains a sentence, a table and a figure. It is empty if fewer than eight
+/// consecutive strides are recorded.
 ///
 /// # Errors
 ///
@@ -73,7 +74,7 @@ pub fn resonance(files: &Files, which: &Which) -> Result<Value> {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Logged {
-    /// TOML text of the scene that was running.
+    /// TOML text of the scene for which the running cam was designed.
     pub scene: String,
     /// Name of the log file.
     pub log: String,
@@ -81,7 +82,7 @@ pub struct Logged {
     pub hash: Hash,
 }
 
-/// Machine identified from a log, as text and figure, and the scene of the next cam. If there is no cam, the response contains only the reason,
+/// Machine identified from a log, as text and figure, and the scene of the next cam. Without a cam, the response contains only the reason,
 /// `why`.
 ///
 /// # Errors
@@ -137,12 +138,12 @@ pub struct Grid {
     pub column: String,
 }
 
-/// Verdict and requested key figure of each design of a grid, row by row. The last key varies fastest. The values of a design are null if the time
-/// limit ended its computation.
+/// Verdict and requested key figure of each design of a grid, row by row. The last key varies fastest. The values of a design are null if
+/// the time limit ended its computation.
 ///
 /// # Errors
 ///
-/// A key or a value cannot be varied; there are more than 900 designs; a recording is missing.
+/// A key or a value cannot be varied, there are more than 900 designs, or a recording is missing.
 pub fn sweep(files: &Files, asked: &Grid) -> Result<Value> {
     let (_, table) = files.scene(&table(&asked.scene)?)?;
     let question = SweepQuestion {
@@ -174,8 +175,8 @@ pub fn sweep(files: &Files, asked: &Grid) -> Result<Value> {
     }))
 }
 
-/// Reasons why designs of a grid are not acceptable, row by row. A reason is the error of the scene, or the names of the violated or conflicting
-/// limits.
+/// Reasons why designs of a grid are not acceptable, row by row. A reason is the error of the scene, or a list of the violated or
+/// conflicting limits.
 fn why(records: &Records, language: Language) -> Vec<String> {
     let at = |column: &str, i: usize| {
         let words = records.words(column);

@@ -14,8 +14,8 @@ use gaitcam::scene::keys::{KEYS, Key};
 use gaitcam::synth::{Design, Figure, Figures, Search, synthesise, trade, traded};
 use gaitcam::wording::people;
 
-/// Whether the page can show a trade-off front between a key figure and the force error. The key figure must have a limit in the scene, because each
-/// point of the front becomes a scene with a value of this limit.
+/// Whether the page can show a trade-off front between a key figure and the force error. The scene must have a limit for the key figure,
+/// because each point of the front becomes a scene with a value of this limit.
 pub fn is_traded(figure: &&Figure) -> bool {
     figure.trade.is_some() && figure.limit.is_some()
 }
@@ -31,14 +31,14 @@ const BARS: usize = 12;
 pub struct Vary {
     /// TOML text of the scene.
     pub scene: String,
-    /// Column name of the quantity whose sensitivity is computed.
+    /// Column name of the quantity for which the sensitivity is computed.
     pub quantity: String,
-    /// Relative change of each number.
+    /// Relative change of each number, as a fraction of its value.
     pub share: f64,
 }
 
-/// Sensitivity of a quantity: its values if one number of the scene is reduced or increased by a given fraction. The result contains at most 12
-/// numbers that affect the quantity, sorted by decreasing effect.
+/// Sensitivity of a quantity to each number of the scene. Each number is reduced and increased by a given fraction. The result contains at
+/// most 12 numbers that affect the quantity, sorted by decreasing effect.
 ///
 /// # Errors
 ///
@@ -100,7 +100,7 @@ pub fn sensitivity(files: &Files, vary: &Vary) -> Result<Value> {
     }))
 }
 
-/// Design of a changed scene; `None` if there is no such design. The force is computed again if `key` is in the section `gait`.
+/// Design of a changed scene; `None` if the design fails. The force is computed again if `key` is in the section `gait`.
 fn varied(files: &Files, scene: &Scene, target: Option<&ForceCurve>, key: &Key) -> Option<Design> {
     let own = match key.section() {
         "gait" => files.target(scene).ok()?.map(|t| t.0),
@@ -131,8 +131,8 @@ pub struct Trade {
     pub against: String,
 }
 
-/// Trade-off front: the minimum force error for each value of the other quantity. Each point contains the key and the value that change the scene
-/// to this design.
+/// Trade-off front: the minimum force error for each value of the other quantity. Each point contains a key and a value. If
+/// the key is set to this value, the scene has the design of this point.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! Scene files for the cams of a cover.
+//! Scene files for the cams of a set.
 
 use super::CYCLES;
 use gaitcam::cover::Cover;

@@ -131,7 +131,7 @@ pub fn run(args: &CoverArgs) -> Result<u8> {
     })
 }
 
-/// Minimum and maximum number of cams from `--cams`: `1:6`, or `3` for both.
+/// Minimum and maximum number of cams from the value of `--cams`, such as `1:6`. A single number, such as `3`, is both minimum and maximum.
 ///
 /// # Errors
 ///
@@ -165,9 +165,10 @@ fn scene(args: &CoverArgs) -> Result<Input> {
     Input::new(table, folder, file)
 }
 
-/// Rejects a results folder that is among the folders of recordings, because the next run would read its files as recordings.
+/// Rejects a results folder inside the folder of recordings, because the next run would read the results as recordings. A results folder
+/// whose file of cycles would replace the table of walkers is also rejected.
 fn refuse_inside(out: &Path, walkers: &Path) -> Result<()> {
-    // The folder for results need not exist yet.
+    // The results folder need not exist yet.
     let whole = |path: &Path| {
         let path = std::path::absolute(path).ok()?;
         let known = |a: &Path| Some(a.canonicalize().ok()?.join(path.strip_prefix(a).ok()?));

@@ -1,4 +1,4 @@
-//! Output of a cover for the user: table, picture and JSON.
+//! Output of `gaitcam cover` for the user: table, picture and JSON.
 
 use serde_json::{Value, json};
 
@@ -108,7 +108,8 @@ pub(super) fn text(input: &Input, covers: &[Cover], folds: &[Fold]) -> String {
     format!("{head}\n{}\n{}", table(&rows, &sides), words::text(of))
 }
 
-/// Key of a message in the variant for an error measure: errors relative to the mean force, or errors in newtons.
+/// Key of a message for an error measure. Messages for errors relative to the mean force have the key `message`. Messages for errors in
+/// newtons have the key `message` followed by `-n`.
 pub fn of_unit(message: &str, error: ErrorMeasure) -> String {
     match error {
         ErrorMeasure::Relative => message.to_string(),

@@ -191,7 +191,7 @@ fn outlines(designs: &[Design]) -> Vec<Vec<[f64; 2]>> {
         .iter()
         .map(|d| {
             let mut points: Vec<[f64; 2]> = d.profile.rows.iter().map(|r| [r[1], r[2]]).collect();
-            // The curve of a disc is closed by its first point; the curve of an unrolled cam stays open.
+            // The first point of a disc cam is repeated to close its curve. The curve of a translating or barrel cam stays open.
             let turning = d.summary["cam"]["follower"] != "translating-cam"
                 && d.summary["cam"]["follower"] != "barrel";
             if let (true, Some(&first)) = (turning, points.first()) {

@@ -18,9 +18,9 @@ pub struct Design {
     pub folder: PathBuf,
     /// Content of summary.json as JSON.
     pub summary: Value,
-    /// Columns of law.csv.
+    /// Columns of law.csv. They are empty for a result without a cam.
     pub law: Columns,
-    /// Columns of profile.csv.
+    /// Columns of profile.csv. They are empty for a result without a cam.
     pub profile: Columns,
 }
 
@@ -54,7 +54,7 @@ impl Design {
         self.law.names.iter().any(|n| n == "s_rad")
     }
 
-    /// Kind of motion of follower and cam (straight, oscillating or translating); it determines the units.
+    /// Units of the design, from the motion of follower and cam (straight, oscillating or translating).
     pub fn measures(&self) -> Measures {
         match (self.slides(), self.swings()) {
             (true, _) => Measures::Straight,
@@ -79,7 +79,7 @@ impl Design {
 /// Table of numbers with named columns. Empty fields are NaN.
 #[derive(Default)]
 pub struct Columns {
-    /// Names of the columns.
+    /// Names of the columns, which end with their units.
     pub names: Vec<String>,
     /// Values of the table, row by row.
     pub rows: Vec<Vec<f64>>,

@@ -17,7 +17,7 @@ const ROUNDING: f64 = 1e-9;
 /// Function that returns the text of a cell for a design.
 type Cell = fn(&Design) -> String;
 
-/// Rows whose cells are words: key of the heading, and function that returns the text of a cell.
+/// Table rows with words instead of numbers. Each entry contains the key of the heading and the function that returns the text of a cell.
 const WORDS: [(&str, Cell); 4] = [
     ("compare-verdict", |d| word(&d.summary["verdict"])),
     ("compare-outcome", |d| outcome(&d.summary["outcome"])),
@@ -25,9 +25,9 @@ const WORDS: [(&str, Cell); 4] = [
     ("compare-follower", |d| word(&d.summary["cam"]["follower"])),
 ];
 
-/// Quantities whose maximum and minimum are in summary.json. Each entry contains the column, the table, the two keys of the extremes, and
-/// the order of the derivative. The extremes are derivatives with respect to the cam angle. They are converted to time derivatives with
-/// the speed of the cam.
+/// Quantities whose maximum and minimum are in summary.json. Each entry contains the column, the section of summary.json, the two keys of
+/// the extremes, and the order of the derivative. The extremes are derivatives with respect to the cam angle. They are converted to time
+/// derivatives with the speed of the cam.
 const EXTREMES: [(&str, &str, [&str; 2], i32); 4] = [
     (
         "velocity_max_m_per_s",
@@ -73,7 +73,8 @@ pub fn rows(designs: &[Design]) -> Vec<(String, Vec<String>)> {
     words.chain(figures).filter(is_known).collect()
 }
 
-/// Value of a quantity in summary.json; `None` if it is undefined. Force quantities are defined only if there is a target force.
+/// Value of a quantity in summary.json; `None` if it is undefined. Force quantities are undefined without a target force. A mass of zero is
+/// undefined.
 fn value(figure: &Figure, d: &Design) -> Option<f64> {
     if let Some((_, section, keys, order)) = EXTREMES.iter().find(|row| row.0 == figure.column) {
         let ends = keys
@@ -83,7 +84,7 @@ fn value(figure: &Figure, d: &Design) -> Option<f64> {
         return Some(ends.map(f64::abs).reduce(f64::max)? * speed.powi(*order));
     }
     let value = number(&d.summary[figure.section][figure.key])?;
-    // A minimum force of zero has a rounding error of the maximum.
+    // A minimum force of zero contains a rounding error that is proportional to the maximum force.
     let most = number(&d.summary["force"]["max_n"]).unwrap_or(0.0);
     let value = match figure.section {
         "force" if value.abs() < ROUNDING * most => 0.0,
@@ -108,7 +109,7 @@ fn outcome(value: &Value) -> String {
     }
 }
 
-/// Converts a value of summary.json to a number; the strings `"inf"` and `"-inf"` become infinite.
+/// Converts a value of summary.json to a number. The strings `"inf"` and `"-inf"` become infinite.
 fn number(value: &Value) -> Option<f64> {
     match value.as_str() {
         Some("inf") => Some(f64::INFINITY),

@@ -14,7 +14,7 @@ const KEPT_ROWS: usize = 60_000;
 /// Values of one varied key in the sample.
 #[derive(Debug, Clone, Default)]
 pub struct Input {
-    /// Index of the column in the table.
+    /// Index of the key's column in the table.
     pub column: usize,
     name: String,
     values: Vec<f64>,
@@ -22,8 +22,8 @@ pub struct Input {
     is_number: bool,
 }
 
-/// Label of the axis for the column of a key: its name in the language of the output and its unit, or the column name if there is no such
-/// name.
+/// Label of the axis for the column of a key: the name of the key in the language of the output, with its unit. Without such a name, the
+/// label is the column name.
 fn axis(column: &str) -> String {
     let typed = Key::of_column(column);
     let own = words::column(column);
@@ -53,7 +53,7 @@ impl Input {
         }
     }
 
-    /// Position of a cell on the axis: the number in the cell, or the index of the word in the cell; NaN for an unknown word.
+    /// Position of a cell on the axis: the number in the cell, or the index of the word in the cell. An unknown word gives NaN.
     pub fn place(&self, cell: &str) -> f64 {
         if self.is_number {
             return cell.parse().unwrap_or(f64::NAN);

@@ -21,7 +21,7 @@ const DRAWN: usize = 3000;
 /// A picture of the page, as a tuple: file name without ending, heading, picture.
 type Drawn = (&'static str, String, Picture);
 
-/// Writes the pictures and report.html.
+/// Writes the pictures of the front, and the page report.html that contains them.
 pub fn write(
     file: &Path,
     folder: &Folder,
@@ -199,7 +199,7 @@ fn page<'a>(
     }
 }
 
-/// A cell of the table as text; a number has the decimal sign of the language.
+/// Text of a table cell. Numbers have the decimal sign of the output language.
 fn read(cell: &str) -> String {
     let number = |x| gaitcam::wording::exact(language::current(), x);
     cell.parse().map_or_else(|_| cell.to_string(), number)

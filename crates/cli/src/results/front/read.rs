@@ -54,7 +54,7 @@ pub enum Row<'a> {
 }
 
 impl Row<'_> {
-    /// Number in a column of the row; NaN if missing.
+    /// Number in a column of the row. A missing number is NaN.
     pub fn number(&self, column: usize) -> f64 {
         match self {
             Row::Csv(record) => record

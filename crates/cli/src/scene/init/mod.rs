@@ -1,7 +1,7 @@
 //! `gaitcam init MACHINE`: writes a scene template in which a comment explains each key.
 //!
-//! There is one TOML file per machine. A line `#- key = value` contains an optional key, which is written as a comment. The explanations
-//! are those of `gaitcam keys`.
+//! There is one TOML file per machine. A line `#- key = value` contains an optional key, which is written as a comment. `gaitcam keys`
+//! prints the same explanations.
 
 use std::path::{Path, PathBuf};
 
