@@ -18,7 +18,7 @@ use crate::scene::{Family, LawSpec, LimitKind, Minimise};
 /// use gaitcam::synth::{Search, trade, traded};
 /// use gaitcam::{Problem, scene};
 ///
-/// // Less stroke costs force error.
+/// // A smaller stroke causes a larger force error.
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
 /// let front = trade(&problem, traded("force_error:stroke")?, 4, &Search::default())?;
@@ -37,7 +37,8 @@ pub struct Trade {
     pub design: Design,
 }
 
-/// Largest force error on the front, relative to the mean force. If twice the error of the unlimited law is larger, twice this error is used.
+/// Largest force error on the front, relative to the mean force. If twice the error of the unlimited law is larger than this value, twice
+/// the error is the maximum instead.
 const WORST: f64 = 0.1;
 /// Number of bisection steps that find the tightest value of the front.
 const HALVINGS: usize = 14;
@@ -134,11 +135,11 @@ impl Bound {
         }
     }
 
-    /// The problem with the figure bounded by `value`.
+    /// The problem with `value` as a bound of the figure. A stricter limit of the scene is kept.
     fn held(self, problem: &Problem, value: f64) -> Problem {
         match self {
             Bound::LiftoffSpeed => {
-                // M(g + ωₗ²a) ≥ 0 bounds a, and with it the force at the speed of the machine.
+                // With the lift-off speed ωₗ, the condition M(g + ωₗ²a) ≥ 0 bounds a, and thereby the force at the speed of the machine.
                 let drive = &problem.drive;
                 let least = drive.rest_force * (1.0 - (drive.speed / value).powi(2));
                 let own = problem.limits[LimitKind::ForceMin];
@@ -180,7 +181,8 @@ fn unlimited(problem: &Problem, search: &Search) -> Result<Problem> {
 ///
 /// # Errors
 ///
-/// The problem has no target force, another family than splines, or a given size, or is infeasible without the limit.
+/// The problem has no target force, its family is neither `spline` nor `auto`, or its limits are infeasible. For the prime radius, the size
+/// is given. For the Hertz pressure, the size is not given. For the lift-off speed, the drive is not a moving axis.
 pub fn trade(
     problem: &Problem,
     against: &Figure,

@@ -116,12 +116,12 @@ pub struct Figure {
     pub key: &'static str,
     /// Limit of the scene that applies to the figure; `None` without such a limit.
     pub limit: Option<Limit>,
-    /// Name of the figure as an objective in a trade-off with the force error.
+    /// Name of the figure in a trade-off with the force error; `None` if the figure has no trade-off.
     pub trade: Option<&'static str>,
-    /// Key of the scene whose value `auto` is computed as this figure.
+    /// Key of the scene for which this figure is the computed value if the scene contains `auto`; `None` for other figures.
     pub settles: Option<&'static str>,
     value: fn(&Figures) -> f64,
-    /// Displayed unit, if it depends on the kind of follower or cam.
+    /// Function for the displayed unit, if this unit depends on the kind of follower or cam.
     measured: Option<fn(Measures) -> Unit>,
 }
 
@@ -230,8 +230,8 @@ impl Figure {
 }
 
 /// All figures, in the order of the columns of a sweep. Each row contains the column name, the unit, the location in `summary.json`, the
-/// function for the value, and related keys. The lift-off speed has no limit of its own; a minimum force at the speed of the machine replaces
-/// it.
+/// function for the value, and related keys. The lift-off speed has no limit. A limit on the minimum force at the speed of the machine has
+/// the same effect.
 #[rustfmt::skip]
 pub static FIGURES: [Figure; 31] = [
     figure("force_rms_error_n",         "N",     ["force",   "rms_error_n"],              |f| f.force.rms_error_n).digits(3),

@@ -84,7 +84,7 @@ impl MachineReport {
 }
 
 impl Design {
-    /// Requirements of a design on its machine.
+    /// Torque, power, lift-off speed and contact pressure that the design requires of its machine.
     pub fn machine(&self) -> MachineReport {
         if self.is_idle() {
             return MachineReport::default();

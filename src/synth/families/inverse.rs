@@ -14,7 +14,7 @@ use crate::synth::qp::Basis;
 /// use gaitcam::scene;
 /// use gaitcam::synth::invert;
 ///
-/// // Under pure inertia ŝ₁ = F̂₁/(−m ω²).
+/// // For a pure inertia, ŝ₁ = F̂₁/(−m ω²).
 /// let force = scene::built_in("footbridge")?.scene()?.model_force()?.unwrap();
 /// let drive = Drive::moving_axis(70.0, 9.81, 10.0);
 /// let target = Target::new(force);
@@ -34,8 +34,8 @@ pub struct Spectral {
 }
 
 impl Spectral {
-    /// The law of these coefficients. The mean lift follows from the mean force and the drive. It is zero if the force does not depend on the
-    /// mean lift.
+    /// Harmonic law with these coefficients. The mean lift follows from the mean force and the drive. It is zero if the force does not
+    /// depend on the mean lift.
     pub fn law(&self) -> Law {
         let count = self.count;
         Law::of(&Basis::Harmonic { count }, &self.x)

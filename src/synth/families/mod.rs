@@ -68,7 +68,7 @@ fn closed_form(problem: &Problem) -> Result<ClosedForm> {
     }
     let missed = |miss| Ok(ClosedForm::Missed(Some(miss)));
     let (family, wanted) = (FAMILY, problem.wanted_error());
-    // At a resonance, a spline may still be feasible: it distributes the force of the missing harmonic.
+    // At a resonance, a spline may still be feasible, because it distributes the force of the missing harmonic.
     let (law, left_over) = match inverted(problem, problem.law.harmonics, wanted) {
         Ok(found) => found,
         Err(fault) => {
@@ -100,8 +100,8 @@ fn closed_form(problem: &Problem) -> Result<ClosedForm> {
     })
 }
 
-/// Whether harmonics can be used, because the objective is the force error and there are no conditions on the law. Conditions and other
-/// objectives require a spline.
+/// Whether harmonics can be used. This requires a target force, the force error without weights as objective, and no conditions on the law.
+/// Conditions, weights and other objectives require a spline.
 fn suits(problem: &Problem) -> bool {
     let law = &problem.law;
     problem.target.is_some()

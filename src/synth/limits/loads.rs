@@ -23,7 +23,7 @@ pub struct Loads {
     pub drive: Drive,
     /// Force, N, that a varying speed or a floor adds; `None` for a rigid machine at constant speed.
     pub on_shaft: Option<Arc<OnShaft>>,
-    /// Maximum |F v|, N·m.
+    /// Maximum torque |F v|, N·m, with the contact force F and the derivative v of the lift with respect to the cam angle.
     pub torque: Option<f64>,
     /// Maximum |F v| that corresponds to the limit on the power at the mean speed, N·m.
     pub power: Option<f64>,
@@ -34,7 +34,7 @@ pub struct Loads {
 }
 
 impl Loads {
-    /// Nonconvex load limits of a problem; `None` if there are none. The pressure is included if the profile is that of a translating roller cam
+    /// Nonconvex load limits of a problem; `None` if there are none. The pressure limit is included if the follower is a translating roller
     /// (`under_roller`).
     pub fn of(problem: &Problem, under_roller: bool) -> Option<Loads> {
         let limits = &problem.limits;

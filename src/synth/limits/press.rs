@@ -11,9 +11,10 @@ use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly, bernstein, stand_in};
 use crate::problem::{Problem, sum};
 
-/// Maximum number of iterations for the maximum of F/ρ; three or four are usual.
+/// Maximum number of iterations for the maximum of F/ρ, the quotient of contact force and radius of curvature. Usually three or four
+/// iterations are sufficient.
 const ROUNDS: usize = 40;
-/// Relative increase of F/ρ below which the iteration has converged.
+/// Relative increase of the quotient F/ρ below which the iteration has converged.
 const SETTLED: f64 = 1e-14;
 
 /// Data for the Hertz pressure: force, law that determines the force, and dimensions of the contact.
@@ -108,7 +109,7 @@ impl<'a> Press<'a> {
         let factor = self.factor();
         let own = cam.law.breaks();
         let alike = self.law.breaks() == own;
-        // The added force is smooth between its own breaks.
+        // The added force is smooth only between its own breaks, so these breaks are included.
         let cut = self
             .extra
             .map(|extra| cam.law.poly().cut_at(extra.breaks()));

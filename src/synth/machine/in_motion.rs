@@ -46,12 +46,12 @@ const ROOM: f64 = 1e-4;
 const TOLD_ROWS: usize = 1440;
 /// Speed ripple up to which the iteration usually converges.
 const CALM: f64 = 0.25;
-/// Relative margins above the inertia that is sufficient for a law. They are tried one after the other.
+/// Relative margins above the inertia that is sufficient for the present law. They are tried one after the other.
 const INERTIA_ROOMS: [f64; 4] = [0.0, 0.01, 0.1, 0.5];
 /// Number of iterations without improvement after which the number of spans is increased.
 const STALLED: usize = 3;
 
-/// One iterate: problem, law on its cam, and the machine motion that results from this law.
+/// One iterate: problem, law with its cam, and the machine motion that results from this law.
 struct Iterate {
     problem: Problem,
     attempt: Attempt,
@@ -122,7 +122,7 @@ impl Iterate {
     }
 
     /// Factor below 1 on the accuracy over the angle, for which a law probably also satisfies the accuracy over time. `None` if the law
-    /// already satisfies the accuracy over time, or violates the accuracy over the angle.
+    /// already satisfies the accuracy over time, violates the accuracy over the angle, or if the limits are infeasible.
     fn tighter(&self, run: &Runner, allowed: f64) -> Option<f64> {
         let rows = self.motion.shaft.clone().at_rows(ROWS);
         let over_time = run.error(&self.attempt.cam.cam.law, &self.motion, &rows)?;
@@ -353,7 +353,7 @@ fn on_responding_floor(
     }
     let mut law = problem.law.clone();
     if first.law.family == Family::Spline {
-        // The law itself may have more spans than are sufficient.
+        // The law may have more spans than `first.law.spans`, the sufficient number.
         let spans = match law.dwells.is_empty() {
             true => first.law.law.breaks().len() - 1,
             false => first.law.spans,
@@ -439,7 +439,8 @@ fn rounds(
     };
     let (mut motion, state) = match begin {
         Begin::ConstantSpeed(..) => {
-            // The motion in time of a law for constant speed may stop a small flywheel although the law itself does not.
+            // With a small flywheel, the motion in time of a law for constant speed may stop the shaft, although the law over the angle
+            // does not.
             let start = run.in_time(law, before.clone());
             let motion = start.map_err(|_| diverges(before))?;
             let at = |x: f64| retimed(law, &motion.shaft, x);
@@ -451,8 +452,8 @@ fn rounds(
             (before.clone(), state)
         }
     };
-    // The number of spans never decreases between iterations, so that results that depend on it remain comparable. It increases if the iteration does
-    // not converge because very different laws are nearly as good.
+    // The number of spans never decreases between iterations, so that results that depend on it remain comparable. The number increases if
+    // the iteration does not converge, because very different laws may be nearly equally good.
     let mut search = search.clone();
     search.least_spans = first.law.spans;
     let (mut nearest, mut stalled) = (f64::INFINITY, 0);

@@ -14,11 +14,11 @@ use crate::problem::Problem;
 use crate::scene::Minimise;
 use crate::synth::report::shaft::Forecast;
 
-/// Number of equally spaced angles for speed and force.
+/// Number of equally spaced cam angles at which speed and force are evaluated.
 pub const ROWS: usize = 240;
-/// Number of equally spaced angles for the force of one walker on the floor.
+/// Number of equally spaced cam angles at which the force of one walker on the floor is evaluated.
 const WALKER: usize = 720;
-/// Number of integration steps of the shaft motion between the breaks of the law.
+/// Number of equal parts of the turn at whose ends integration steps of the shaft motion end. Further steps end at the breaks of the law.
 const STEPS: usize = 32;
 /// Maximum number of iterations that determine only the speed, before the first design.
 const SPEED_ROUNDS: usize = 12;

@@ -19,8 +19,8 @@ pub struct Sensitivity {
 }
 
 impl Design {
-    /// Force errors over time, in percent of the mean, for machines in which one value differs by ±10 %. The supply of the motor is adjusted
-    /// so that the mean speed remains the same. Empty at constant speed or without a target.
+    /// Force errors over time, in percent of the mean, for machines in which one value differs by ±10 %. The supply of the motor is
+    /// adjusted so that the mean speed remains the same. The list is empty at constant speed. Without a target, all errors are `None`.
     pub fn sensitivity(&self) -> Vec<Sensitivity> {
         let machine = &self.problem.machine;
         let (motor, floor) = (machine.motor(), machine.floor());

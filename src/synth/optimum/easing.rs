@@ -83,7 +83,7 @@ fn measured(
     }
 }
 
-/// Criterion of the scene value from which a limit comes: the limit itself, or the given prime radius.
+/// Criterion of the scene value that determines the bound of a limit. It is the limit itself, or the given prime radius.
 pub fn key(limit: &Limit) -> Criterion {
     match limit.meaning {
         Meaning::PrimeRadius { .. } => Criterion::GivenPrimeRadius,

@@ -31,7 +31,7 @@ const BREADTH: f64 = 1e-9;
 /// Number of angles at which the breadth is computed and compared.
 const BREADTH_POINTS: usize = 720;
 
-/// Cam of a law whose lift 0 is on the base circle.
+/// Cam of a law. The lift 0 is on the base circle.
 ///
 /// `pressing` is the law that determines the force: the law of the cam, or of the end of a polydyne follower.
 ///
@@ -193,7 +193,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
     make(libm::hypot(distance, offset), offset)
 }
 
-/// Default radius of a cam, m, if no limit and no bore determines the size.
+/// Minimum radius of a cam, m, if no limit and no bore determines the size.
 fn next_to_nothing(problem: &Problem, law: &Law) -> f64 {
     let travel = law.stroke() * problem.lever();
     if travel > 0.0 {
@@ -310,7 +310,7 @@ fn follower(
             base_radius,
         },
         FollowerKind::TranslatingCam => Follower::TranslatingCam {
-            // The height has no effect on the law; the default only determines the appearance.
+            // The height has no effect on the law. The default only determines the appearance of the cam.
             base_height: problem.base_radius().unwrap_or(2.0 * spec.roller_radius),
             roller_radius: spec.roller_radius,
         },

@@ -63,7 +63,7 @@ pub fn feasible(program: &Program, start: &Solution, at_size: &AtSize) -> Option
         let mut next = program.clone();
         next.fixed = match at_size.of(&current).profile {
             Some(Profile::Roller(size)) => {
-                // The sufficient restriction includes the curvature, not the loads.
+                // The sufficient restriction replaces only the curvature limit. Load limits remain linearised.
                 let mut rows = linearised(program, &current, at_size, &room);
                 rows.retain(|r| r.name != LimitKind::Curvature);
                 rows.extend(restricted(program, &current, size));
