@@ -173,7 +173,7 @@ impl Criterion {
         self.severity() == Severity::PressureAngle
     }
 
-    /// The limit of the scene that this criterion refers to, if any.
+    /// The limit of the scene to which this criterion refers; `None` for other criteria.
     pub fn limit(self) -> Option<LimitKind> {
         match self {
             Criterion::Limit(kind) => Some(kind),

@@ -79,7 +79,7 @@ fn within_diameter(problem: &Problem, search: &Search) -> Result<Option<Attempt>
     Ok(attempt.filter(|attempt| attempt.cam.checks.iter().all(keeps)))
 }
 
-/// Places a law on the given or the smallest cam of a problem.
+/// Combines a law with the given or the smallest feasible cam of a problem.
 fn on_cam(
     problem: &Problem,
     sought: std::result::Result<SolvedLaw, Box<Refusal>>,

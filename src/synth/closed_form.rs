@@ -1,9 +1,9 @@
 //! Characteristic values (figures) of a design in closed form, for many problems with the same target force (theory §1). A complete synthesis
 //! is not necessary. The closed form applies to a rigid machine at constant speed.
 //!
-//! If the drive is a pure inertia, the law is a fixed curve multiplied by a factor. All extremes of lift, velocity, acceleration, jerk, force
-//! and flat-face curvature are scaled extremes of this curve. Tests compare these figures with those of the complete design, with the
-//! relative tolerance 1e-9.
+//! If the drive is a pure inertia, the law is a fixed curve multiplied by a factor. All extremes of lift, velocity, acceleration, jerk,
+//! force and flat-face curvature are scaled extremes of this curve. Tests compare these figures with the figures of the complete design,
+//! with the relative tolerance 1e-9.
 
 use std::f64::consts::PI;
 
@@ -17,7 +17,7 @@ use crate::synth::design::machine::MachineReport;
 use crate::synth::limits::GEOMETRY;
 use crate::synth::report::force::ForceReport;
 
-/// Relative difference between mean force and mean target below which the two count as equal.
+/// Relative difference between mean force and mean target below which both count as equal.
 const SAME: f64 = 1e-13;
 /// Fraction of the mean force below which a permitted force error is within rounding errors. The closed form is then not used.
 const ROUNDING: f64 = 1e-5;

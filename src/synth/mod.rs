@@ -121,7 +121,7 @@ use crate::scene::Scene;
 ///
 /// # Errors
 ///
-/// Errors of the input.
+/// Errors of the input. No cam exists, for example because no law satisfies the conditions.
 pub fn synthesise(scene: &Scene, force: Option<&ForceCurve>) -> Result<Design> {
     design(&Problem::resolve(scene, force)?, &Search::default())
 }

@@ -44,7 +44,7 @@ const WORST: f64 = 0.1;
 const HALVINGS: usize = 14;
 /// Ratio of the weakest permitted value on the front and the value of the unlimited law. The ratio is below 1, so that the limit is active.
 const INSIDE: f64 = 1.0 - 1e-6;
-/// Ratio of the number of spans of the laws on the front and the number of spans of the first design.
+/// Factor from the number of spans of the first design to the number of spans of a law on the front.
 const MORE_SPANS: usize = 2;
 /// Maximum automatic number of spans of a law on the front.
 const MOST_SPANS: usize = 64;
@@ -52,7 +52,7 @@ const MOST_SPANS: usize = 64;
 /// The quantity (figure) that is combined with the force error in a pair such as `force_error:prime_radius`, in either order.
 ///
 /// # Errors
-/// The pair is incomplete, lacks the force error, or contains an unknown figure. The error contains the known figures.
+/// The pair is incomplete, lacks the force error, or contains an unknown figure. The error lists the valid figures.
 ///
 /// ```
 /// use gaitcam::synth::traded;
@@ -90,7 +90,7 @@ pub fn traded(pair: &str) -> Result<&'static Figure> {
     })
 }
 
-/// Limit by which a figure is bounded in a problem.
+/// Limit of a problem that bounds a figure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Bound {
     /// The limit of the figure in the scene.
@@ -104,7 +104,8 @@ impl Bound {
         figure.limit.map_or(Bound::LiftoffSpeed, Bound::Limit)
     }
 
-    /// Converts a value to a quantity to be minimised, or back: the inverse for a lift-off speed, otherwise the value itself.
+    /// Converts a value of the figure to a quantity to be minimised, or back. The result is the reciprocal of a lift-off speed, and the
+    /// unchanged value for other figures.
     fn turned(self, value: f64) -> f64 {
         match self {
             Bound::LiftoffSpeed => 1.0 / value,
@@ -220,7 +221,7 @@ pub fn trade(
             _ => low = middle,
         }
     }
-    // Values below that of the unlimited law may be infeasible, for example if a bore determines the size.
+    // Values below the value of the unlimited law may be infeasible, for example if a bore determines the size.
     if high == most && !held(most).is_ok_and(|d| good(&d)) {
         let (allowed, design) = (of(&free), free);
         return Ok(vec![Trade { allowed, design }]);

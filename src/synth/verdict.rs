@@ -108,8 +108,8 @@ fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport, low: &Check) -> 
     }
 }
 
-/// Preload of a spring and minimum target force, N, if the preload exceeds this minimum; otherwise `None`. The force of a spring cannot be less
-/// than its preload.
+/// Preload of a spring and minimum target force, N, if the preload exceeds this minimum by more than the permitted force error; otherwise
+/// `None`. The force of a spring cannot be less than its preload.
 fn preload_above(problem: &Problem) -> Option<[f64; 2]> {
     let drive = &problem.drive;
     let [least, _] = problem.target.as_ref()?.range_n();

@@ -55,7 +55,7 @@ pub struct EdgePoint {
     pub p: [f64; 2],
     /// Unit tangent of the edge.
     pub t: [f64; 2],
-    /// Centre of the roller in contact, m; for a flat face the contact point.
+    /// Centre of the roller in contact, m. For a flat face, it is the contact point.
     pub pitch: [f64; 2],
 }
 
@@ -150,7 +150,8 @@ impl<'a> Edge<'a> {
         EdgePoint { theta, p, t, pitch }
     }
 
-    /// `n` points at equal steps of the cam angle. A closed edge does not repeat its first point; an open edge ends at its last point.
+    /// `n` points at equal steps of the cam angle. A closed edge does not repeat its first point. The points of an open edge include both
+    /// ends.
     pub fn points(&self, n: usize) -> Vec<EdgePoint> {
         let (start, length) = self.cam.law.extent();
         let steps = if self.is_closed() {

@@ -23,7 +23,7 @@ use crate::wording::{DIGITS, Language, people, rounded, sentence};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Figures {
-    /// Comparison of achieved force and target, N; for a follower on an arm, forces at the lever.
+    /// Comparison of achieved force and target force, N. For a follower on an arm, the forces act at the lever.
     pub force: ForceReport,
     /// Mass that the cam moves, kg (for an arm the moment of inertia, kg·m²).
     pub mass: f64,
@@ -31,7 +31,8 @@ pub struct Figures {
     pub speed: f64,
     /// Maximum lift minus minimum lift, m (rad for an arm).
     pub stroke: f64,
-    /// Maximum |velocity|, |acceleration| and |jerk| with respect to time: m/s, m/s² and m/s³; for an arm rad/s, rad/s² and rad/s³.
+    /// Maximum |velocity|, |acceleration| and |jerk| with respect to time, in m/s, m/s² and m/s³. For an arm, the units are rad/s, rad/s²
+    /// and rad/s³.
     pub peaks: [f64; 3],
     /// Radius of the base circle, m.
     pub base_radius: f64,
@@ -58,7 +59,7 @@ pub struct Figures {
 }
 
 impl Figures {
-    /// Figures of a design.
+    /// Computes all figures of a design.
     pub fn of(design: &Design) -> Figures {
         let (cam, speed) = (&design.cam, design.problem.drive.speed);
         let (follower, (low, high)) = (&cam.follower, design.pressure_angle_extremes());

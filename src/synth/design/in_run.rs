@@ -1,4 +1,5 @@
-//! Verdict from a simulation of the output profile. The simulated values replace those of the checks of force, loads and motion.
+//! Verdict from a simulation of the output profile. The simulated values replace the values of the designed law in the checks of force,
+//! loads and motion.
 
 use std::f64::consts::TAU;
 
@@ -15,8 +16,9 @@ use crate::units::Quantity;
 const RESOLVED: f64 = 1e-3;
 
 impl Design {
-    /// The design with its verdict from a simulation of the output profile. Where the simulation gives a value, this value replaces that of
-    /// the check. Loss of contact makes the cam unacceptable, unless the scene switches this check off or permits a negative contact force.
+    /// The design with its verdict from a simulation of the output profile. Where the simulation gives a value, this value replaces the
+    /// value of the check. Loss of contact makes the cam unacceptable, unless the scene switches this check off or permits a negative
+    /// contact force.
     #[must_use]
     pub fn judged_in(self, run: &Outcome) -> Design {
         let force = run.force.max.abs().max(run.force.min.abs());

@@ -62,7 +62,7 @@ pub struct Design {
     pub family: Family,
     /// Basis functions to which the coefficients belong.
     pub functions: Functions,
-    /// Coefficients of the law, m; for a polydyne cam they belong to the law of the follower's end.
+    /// Coefficients of the law, m. For a polydyne cam, they belong to the law of the follower's end.
     pub coefficients: Vec<f64>,
     /// Degree of the polynomials of the law for display; 0 for laws without polynomials, such as the double harmonic.
     pub degree: usize,
@@ -82,7 +82,7 @@ pub struct Design {
     /// design that fails.
     pub relaxations: Vec<Relaxation>,
     /// A common relative change of several limits for which the design passes. It is given if no single change is sufficient, or if only a
-    /// larger permitted force error is.
+    /// larger permitted force error is sufficient.
     pub together: Vec<Relaxation>,
     /// Verdict on the cam.
     pub verdict: Verdict,

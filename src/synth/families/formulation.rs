@@ -57,7 +57,7 @@ pub fn of_spline(problem: &Problem, search: &Search, spans: usize) -> Result<For
 }
 
 /// Program that fits the force with a given number of harmonics under all convex limits. `unlimited` is the law without limits. If neither
-/// the drive nor a condition fixes the level of the lift, the law touches its base circle at the angle of the minimum of `unlimited`.
+/// the drive nor a condition fixes the level of the lift, the law touches its base circle where `unlimited` has its minimum.
 pub fn of_harmonics(
     problem: &Problem,
     search: &Search,

@@ -1,4 +1,5 @@
-//! Spectral inverse ŝₙ = F̂ₙ/(k + i c n ω − m n²ω²): lift from force, separately for each harmonic n (theory §1).
+//! Spectral inverse ŝₙ = F̂ₙ/(k + i c n ω − m n²ω²), which computes the lift from the force separately for each harmonic n (theory §1). The
+//! spring rate is k, the damping c, the mass m and the shaft speed ω.
 
 use crate::drive::{Drive, RESONANCE};
 use crate::error::{Placed, Result, SynthError};
@@ -29,7 +30,7 @@ pub struct Spectral {
     pub x: Vec<f64>,
     /// Number of harmonics of the law.
     pub count: usize,
-    /// RMS force of the omitted harmonics, N.
+    /// Root mean square of the omitted force harmonics, N.
     pub left_over: f64,
 }
 
@@ -42,7 +43,7 @@ impl Spectral {
     }
 }
 
-/// Law whose first `count` harmonics of the force equal those of the target. Without `count`, it has the minimum number of harmonics for which
+/// Law whose force has the same first `count` harmonics as the target. Without `count`, it has the minimum number of harmonics for which
 /// the RMS of the omitted force is at most `wanted`, N.
 ///
 /// # Errors

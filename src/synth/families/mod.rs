@@ -50,7 +50,7 @@ pub fn law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     }))
 }
 
-/// Result of the closed form by harmonics.
+/// Result of the harmonic law in closed form.
 enum ClosedForm {
     /// The cam of this law passes every check, so the law is the optimum (theory §1).
     Passes(Box<SolvedLaw>),
@@ -58,7 +58,7 @@ enum ClosedForm {
     Missed(Option<PassedOver>),
 }
 
-/// Name of the closed form by harmonics in [`PassedOver`].
+/// Name of the harmonic closed form in [`PassedOver`].
 const FAMILY: &str = "inverse-by-harmonics";
 
 /// Harmonic law in closed form, or the requirement that this law does not satisfy.

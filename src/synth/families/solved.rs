@@ -23,7 +23,7 @@ pub struct SolvedLaw {
     pub degree: usize,
     /// Sufficient number of spans of a spline without the dwells; 0 for other families.
     pub spans: usize,
-    /// Basis functions of the coefficients.
+    /// Basis functions to which the coefficients belong.
     pub functions: Functions,
     /// Parameters of the law, as in `summary.json`.
     pub coefficients: Vec<f64>,

@@ -149,7 +149,7 @@ fn unlimit(limit: &mut RmsLimit) {
     limit.most = f64::INFINITY;
 }
 
-/// Whether a row comes from a limit value of the scene. The result is `false` for the base circle, a monotone flank and a minimised peak.
+/// Whether a limit has its value in the scene. The result is `false` for the base circle, a monotone flank and a minimised peak.
 fn is_asked(limit: &Limit) -> bool {
     limit.meaning != Meaning::Structure && !limit.is_peak()
 }

@@ -59,9 +59,9 @@ pub fn roller_slack(at: Svaj, size: ProfileSize) -> Slack {
     }
 }
 
-/// Clearance h = W^{3/2}/ρ − K of the curvature limit for a roller on an arm, where ρ is the minimum radius of curvature of the pitch curve,
-/// A the arm length, c the pivot distance, and ξ the arm angle. With q = 1 + ξ′, W = A²q² − 2cAq cos ξ + c² and K = A²q³ − cAq(1 + q) cos ξ −
-/// cAξ″ sin ξ + c².
+/// Clearance h = W^{3/2}/ρ − K of the curvature limit for a roller on an arm. Here ρ is the minimum radius of curvature of the pitch curve,
+/// A the arm length, c the pivot distance, ξ the arm angle, and q = 1 + ξ′. The terms are W = A²q² − 2cAq cos ξ + c² and K = A²q³ − cAq(1 +
+/// q) cos ξ − cAξ″ sin ξ + c².
 pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, rho: f64) -> Slack {
     let (sin, cos) = libm::sincos(rest + at.s);
     let (s, p, q) = (arm * sin, arm * cos, 1.0 + at.v);
@@ -82,7 +82,7 @@ pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, rho: f64) -> Slack {
 }
 
 /// Clearance h = (ρ_face − ρ) q³ of a flat face on an arm, with the face angle ξ and q = 1 + ξ′. The minimum permitted radius is ρ. The
-/// radius of curvature ρ_face is that of theory §6 and includes the offset of the face.
+/// radius of curvature ρ_face is defined in theory §6 and includes the offset of the face.
 pub fn face_slack(at: Svaj, c: f64, offset: f64, rest: f64, rho: f64) -> Slack {
     let (sin, cos) = libm::sincos(rest + at.s);
     let q = 1.0 + at.v;

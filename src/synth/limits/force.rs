@@ -87,7 +87,7 @@ pub fn accuracy(problem: &Problem, half: impl FnOnce() -> MeanSquare) -> Option<
     })
 }
 
-/// Negative contact force, relative to the maximum absolute force, whose magnitude counts as a rounding error up to this value.
+/// Maximum magnitude of a negative contact force that counts as a rounding error, relative to the maximum absolute force.
 const TOUCHES: f64 = 1e-7;
 
 /// Checks of the minimum and maximum force. Without a minimum force in the scene, the default minimum is checked, which ensures contact.

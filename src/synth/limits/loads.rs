@@ -1,5 +1,5 @@
-//! Load limits that are not convex in the law: torque, torque rate and power of the shaft, and the Hertz pressure under a roller. Each limit
-//! has the form h(s, v, a, j, D, e) ≥ 0 (symbols as in `slack`), with the partial derivatives of h.
+//! Load limits that are not convex in the law: torque, torque rate and power of the shaft, and the Hertz pressure under a roller. Each
+//! limit has the form h(s, v, a, j, D, e) ≥ 0 (symbols as in `slack`), with the partial derivatives of h. F is the contact force.
 
 use std::f64::consts::PI;
 use std::sync::Arc;

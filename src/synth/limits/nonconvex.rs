@@ -49,7 +49,7 @@ impl NonconvexLimits {
         out
     }
 
-    /// Size of the cam for the limits of the profile; all values are 0 without such limits.
+    /// Size of the cam for the limits of the profile. Without such limits, all values are 0.
     pub fn size(&self) -> ProfileSize {
         self.profile.map(|f| f.size()).unwrap_or_default()
     }

@@ -163,8 +163,8 @@ impl<'a> Press<'a> {
         })
     }
 
-    /// Maximum pressure on the walls of a groove, Pa, at its floor and its rim. A wall counts where its roller is loaded. `None` if a wall is
-    /// undercut.
+    /// Maximum pressure on the walls of a groove, Pa, at its floor and its rim. Each wall is included at the angles where its roller is
+    /// loaded. `None` if a wall is undercut.
     fn in_groove(&self, cam: &Cam, groove: &BarrelGroove) -> Option<Extreme> {
         let (floor, rim) = groove.depth();
         let walls = [(Wall::Lower, 1.0), (Wall::Upper, -1.0)];
@@ -226,7 +226,7 @@ fn groove_contact(
     (force * length, 1.0 / (roller * (1.0 - roller * bulge)))
 }
 
-/// Position and value of the maximum of F/ρ at the ends of the spans, as the initial value of the iteration.
+/// Maximum of F/ρ at the ends of the spans, with its position. The iteration starts from this value.
 fn highest_at_ends(force: &PiecewisePoly, radius: &PiecewisePoly) -> (f64, f64) {
     let mut highest = (force.breaks()[0], f64::NEG_INFINITY);
     for (piece, ends) in force.breaks().windows(2).enumerate() {

@@ -65,7 +65,7 @@ impl AngleRow {
         structural(self.name, [-self.tan, velocity, 0.0, 0.0, 0.0], 0.0, scale)
     }
 
-    /// The limit for a given prime circle and the offset `e`, m.
+    /// The limit for a prime circle of radius `prime` and the offset `e`, m.
     fn on_circle(self, prime: f64, e: f64) -> Limit {
         let (tan, offset) = (self.tan, self.side * e);
         let rise = (prime * prime - e * e).max(0.0).sqrt();
@@ -133,7 +133,7 @@ pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, row: AngleRow) -> Slack 
 }
 
 /// Default bounds of the pressure angle, rad, for a side without a limit. The first bound applies to any machine, the second bound only to
-/// slow machines. The values are those of CAM-DAS (Serrano Muñoz 2010). `None` for a flat face, or if the scene switches the check off.
+/// slow machines. The values are taken from CAM-DAS (Serrano Muñoz 2010). `None` for a flat face, or if the scene switches the check off.
 pub fn usual_pressure_angle(problem: &Problem) -> Option<[f64; 2]> {
     if problem.limits.unjudged.pressure_angle {
         return None;

@@ -4,9 +4,9 @@
 //! of the motor determines the speed ω(θ). At this varying speed, the same motion in time corresponds to another law over the cam angle. The
 //! target force causes the floor acceleration z″, which is computed by one linear response per harmonic.
 //!
-//! If ω(θ) and z″(θ) are known, the force is linear in the law ([`crate::problem`]). The program is then solved again with the machine motion
-//! of the previous law. Each iteration reduces the change of the machine motion to a fraction of the previous change. This fraction is of the
-//! order of the speed ripple and of the residual of the law (theory §10).
+//! If ω(θ) and z″(θ) are known, the force is linear in the law ([`crate::problem`]). The program is then solved again with the machine
+//! motion of the previous law. Each iteration reduces the change of the machine motion to a fraction of the previous change. This fraction
+//! is of the order of the speed ripple and of the residual of the law (theory §10).
 
 use super::added::Layout;
 use super::assumed::Assumed;
@@ -144,7 +144,7 @@ impl Iterate {
 ///
 /// # Errors
 ///
-/// The shaft stops, the iteration does not converge, or an undamped mode is at resonance.
+/// Errors of the input. The shaft stops, the iteration does not converge, or an undamped mode is at resonance.
 pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
     let first = attempt(problem, search)?;
     match on_machine(problem, search, &first) {
@@ -403,7 +403,7 @@ enum Begin<'a> {
     Settled(&'a Iterate),
 }
 
-/// Repeats design and simulation until the assumed machine motion agrees with that of the designed law.
+/// Repeats design and simulation until the assumed machine motion agrees with the machine motion of the designed law.
 fn rounds(
     begin: Begin,
     floor: Option<FloorResponse>,

@@ -12,7 +12,7 @@ const DEVIATION: f64 = 0.1;
 /// Force errors of the cam in machines in which one value is decreased or increased.
 #[derive(Debug, Clone, Serialize)]
 pub struct Sensitivity {
-    /// Key of the varied value.
+    /// Key of the scene whose value is varied.
     pub key: &'static str,
     /// Force errors with the value decreased and increased by 10 %, in percent of the mean; `None` without a steady motion.
     pub percent: [Option<f64>; 2],

@@ -106,7 +106,7 @@ fn sensitivities(program: &Program, solution: &Solution) -> Vec<Sensitivity> {
     out
 }
 
-/// Effect of relaxing a limit on a root mean square. `row` is a tangent of this limit; the result is `None` for other rows.
+/// Effect of relaxing a limit on a root mean square. `row` is a tangent of this limit. For other rows, the result is `None`.
 fn of_rms(program: &Program, row: &Row) -> Option<Sensitivity> {
     let limit = program.rms.iter().find(|l| l.is_tangent(row))?;
     let from = limit.meaning.value(limit.most)?;

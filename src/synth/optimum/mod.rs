@@ -204,8 +204,8 @@ fn nearest_to_force(
     Some(found)
 }
 
-/// Program and solution with a fixed level of the lift. If nothing in the problem fixes this level, and limits of the profile depend on it,
-/// the law is shifted so that its minimum lift is zero.
+/// Program and solution with a fixed level of the lift. If limits of the profile depend on this level and the problem does not fix it, the
+/// law is shifted to a minimum lift of zero.
 fn at_level(
     problem: &Problem,
     optimum: &Optimum,

@@ -80,7 +80,8 @@ fn searched(
     program: &Program,
     stiffness: Option<f64>,
 ) -> Result<(Node, Option<f64>), Box<Refusal>> {
-    // The minimum of the law without limits is a good initial guess. If the error is limited, the law is near that of the minimum error.
+    // The minimum of the law without limits is a good initial guess. If the force error is limited, the law is near the law with the
+    // minimum force error.
     let least = program.of_least_rms(Criterion::Accuracy);
     let first = match qp::solve_equalities(least.as_ref().unwrap_or(program)) {
         Ok(unlimited) => Law::of(&program.basis, &unlimited.x).extremes(0).0.at,

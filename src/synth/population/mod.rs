@@ -2,10 +2,10 @@
 //!
 //! Mass M_w and speed ω_w of the machine are adjusted for each walker w with the target force F_w. The force error M_w (ω_w² a + g) − F_w
 //! is therefore linear in the law. Minimising the mean of the squared errors is equivalent to the design for one mean curve. Minimising the
-//! worst error, or the mean of the worst tenth, is the design for another mean curve. The weights of this curve are computed by a search
-//! ([`weights`]).
+//! worst error, or the mean of the worst tenth, is equivalent to the design for another mean curve. The weights of this curve are computed
+//! by a search ([`weights`]).
 //!
-//! Families, limits, certificates and checks are those of a design for a single walker (theory §8).
+//! Families, limits, certificates and checks are the same as in a design for a single walker (theory §8).
 
 pub mod alone;
 mod easing;

@@ -54,8 +54,8 @@ impl Design {
     /// The design with suggested changes. The computation ends early at the stop condition of `search`.
     #[must_use]
     pub fn relaxed_with(self, search: &Search) -> Design {
-        // Limits affect neither the mean of the force nor open questions about the recording nor a prescribed law. If the solver stopped, the limits
-        // are not known to be the cause.
+        // Relaxed limits change neither the mean target force, nor open questions about the recording, nor a prescribed law. If the solver
+        // stopped, it is not proved that the limits are the cause.
         let hopeless = self.reasons.iter().any(|reason| {
             matches!(
                 reason,
@@ -90,7 +90,7 @@ fn with_relaxations(problem: &Problem, search: &Search, design: Design) -> Desig
     let (cures, together) = if found.is_empty() && !search.halt.is_asked() {
         relaxing.several(&numbers, &design.reasons)
     } else if found.iter().all(Relaxation::is_goal) {
-        // Several limits together may be sufficient without giving up the accuracy.
+        // A common change of several limits may be sufficient without relaxing the accuracy.
         let limits: Vec<_> = numbers.iter().copied().filter(|n| !is_goal(&n.0)).collect();
         (
             vec![relaxing.cure(&found)],
@@ -133,7 +133,7 @@ fn with_relaxations(problem: &Problem, search: &Search, design: Design) -> Desig
     }
 }
 
-/// Adds the suggested changes to a conflict. Limits for which no sufficient change was found have no value.
+/// Adds the suggested changes to a conflict. For limits without a sufficient change, the value is `None`.
 fn with_cures(why: Infeasible, found: &[Relaxation], cures: Vec<Reason>) -> Infeasible {
     let Infeasible {
         conflict,

@@ -15,7 +15,7 @@ const STEEPEST: f64 = 1.55;
 /// A value of the scene that may be relaxed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Relaxable {
-    /// Row of the key table.
+    /// Entry of the key table to which the value belongs.
     pub key: &'static Key,
     relax: Relax,
     criterion: Criterion,

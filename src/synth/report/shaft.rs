@@ -27,7 +27,7 @@ use crate::dynamics::{InTime, Shaft};
 /// ```
 #[derive(Debug, Clone, Serialize)]
 pub struct OnShaft {
-    /// Motion of the shaft.
+    /// Steady motion of the shaft over one period.
     pub shaft: Shaft,
     /// Force error over time, with the varying speed of the shaft; `None` without a target.
     pub force_time: Option<InTime>,

@@ -54,7 +54,7 @@ pub struct OfPopulation {
     /// Index of the cycle with the maximum error in `each`.
     #[serde(skip)]
     pub worst: usize,
-    /// Errors for each cycle.
+    /// Force error of each cycle.
     #[serde(skip)]
     pub each: Vec<WalkerError>,
 }

@@ -50,8 +50,8 @@ pub(super) struct Nearest {
     pub square: f64,
 }
 
-/// Means over a turn for a law with the lift 1: of its force, of the squared force, and of the product of this force with the target. The
-/// product contains the target without its mean.
+/// Means over a turn for a law with the lift 1. `mean` and `square` are the means of its force and of the squared force. `product` is the
+/// mean product of this force and the target without its mean.
 struct Means {
     mean: f64,
     square: f64,
@@ -206,8 +206,8 @@ impl Projection {
             .collect()
     }
 
-    /// Means over a turn for a motion: of its force, of the squared force, and of the product with the target for each start angle on the
-    /// grid.
+    /// Means of the force and of the squared force of a motion over a turn, and its mean product with the target for each start angle on
+    /// the grid.
     fn row(&self, motion: Motion) -> Row {
         let step = TAU / STEPS as f64;
         let waves: Vec<Complex<f64>> = (1..)

@@ -11,7 +11,7 @@ use crate::synth::qp::{PEAK, Program, Quadratic, RADIUS, RISE, Row, Solution, TO
 const HELD_ROUNDS: usize = 6;
 
 /// Optimum of the program that is linearised about the last law. It satisfies the limits up to rounding errors. `None` if its violation is
-/// not smaller than that of the last law.
+/// not smaller than the violation of the last law.
 pub fn resolved(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solution> {
     let mut exact = program.clone();
     exact.settings.tolerance = TOLERANCE;

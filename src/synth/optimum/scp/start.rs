@@ -36,9 +36,9 @@ pub fn best(program: &Program, starts: &[Solution], at_size: &AtSize) -> Option<
     })
 }
 
-/// The start itself if it is feasible. Otherwise, two steps are repeated until the limits are satisfied: the sufficient restriction is set up
-/// about the last law, and the optimum with this restriction is computed. For followers on an arm there is no such restriction, and the
-/// linearised limits are used instead. `None` if there is no progress.
+/// The start itself if it is feasible. Otherwise, two steps are repeated until the limits are satisfied. First, the sufficient restriction
+/// is set up about the last law. Then, the optimum with this restriction is computed. For followers on an arm there is no such restriction,
+/// and the linearised limits are used instead. `None` if there is no progress.
 pub fn feasible(program: &Program, start: &Solution, at_size: &AtSize) -> Option<Solution> {
     let mut current = start.clone();
     let (mut room, mut nearest, mut since) = (Room::above(0.0), f64::NEG_INFINITY, 0);
