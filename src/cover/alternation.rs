@@ -29,13 +29,14 @@ pub struct Trial {
     pub value: (usize, f64),
 }
 
-/// Whether a cam satisfies its limits, and the errors of all cycles with this cam.
+/// Whether a cam satisfies its limits, and the mean square errors of all cycles with this cam.
 pub type Column = (bool, Vec<f64>);
 /// Cache of the results of cams. The key consists of the walkers of a cam and the objective of its design.
 pub type Columns = HashMap<(Vec<usize>, String), Column>;
 
 impl People<'_> {
-    /// Best trial with `count` cams over all starts. `owner` and `before` are the assignment and the errors with one cam fewer.
+    /// Best trial with `count` cams over all starts. `owner` is the assignment for one cam fewer, and `before` contains the errors with
+    /// these cams.
     pub fn best_of(
         &self,
         count: usize,
@@ -87,7 +88,7 @@ impl People<'_> {
                 }
             }
         }
-        // For walkers with equal forces, fewer starts exist than cams; `filled` assigns the remaining cams.
+        // If several walkers have equal forces, some cams may have no walker. `filled` assigns walkers to these cams.
         filled(owner, count, &|_, _| 0.0)
     }
 
@@ -145,8 +146,9 @@ impl People<'_> {
         best.ok_or_else(one_walker)
     }
 
-    /// Design objective of each cam, from the current errors. If only the worst walkers count, each cam is designed for a share of its walkers. This
-    /// share moves half way to the fraction of these walkers that are among the worst of all.
+    /// Design objective of each cam, from the current errors. If only the worst walkers count, each cam is designed for the worst share of
+    /// its walkers. In each alternation, this share moves half-way to the fraction of these walkers that are among the worst of all
+    /// walkers.
     fn objectives(&self, owner: &[usize], now: &[Robust], squares: &[f64]) -> Vec<Robust> {
         let Robust::Tail(part) = self.scene.law.robust else {
             return now.to_vec();

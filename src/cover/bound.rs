@@ -1,4 +1,4 @@
-//! Lower bounds of the error of k cams.
+//! Lower bounds of the force error of a set of k cams.
 //!
 //! For each walker, p is the force of the individual cam and o² its mean square error. The force p is the point of a convex set that is nearest to
 //! the target of the walker. The force ψ of every shared cam is in this set, so its mean square error for the walker is e² ≥ o² + γ² ‖ψ − p‖². The
@@ -15,7 +15,7 @@ use crate::synth::population::weights::{axes, less};
 
 /// Maximum number of walkers from which the search for a set of distant walkers is started.
 const BEGINNINGS: usize = 32;
-/// Number of steps of a bisection.
+/// Number of bisection steps for the error of two walkers that share a cam.
 const STEPS: usize = 60;
 /// Number of Frank–Wolfe steps for the weights of the worst walkers.
 const STEPS_OF_WEIGHTS: usize = 200;
@@ -26,11 +26,11 @@ impl Point {
         (off.sum::<f64>().sqrt() - self.slack - other.slack).max(0.0)
     }
 
-    /// Lower bound of the mean square error of the worse of two walkers that share a cam.
+    /// Lower bound for two walkers that share a cam. It bounds the larger of their two mean square errors.
     fn shared(&self, other: &Point) -> f64 {
         let distance = self.distance(other);
         let error = |p: &Point, x: f64| p.least + (p.scale * x).powi(2);
-        // Between the forces of the two individual cams, the error of one walker increases and that of the other decreases.
+        // Between the forces of the two individual cams, the error of one walker increases and the error of the other walker decreases.
         let (mut near, mut far) = (0.0, distance);
         for _ in 0..STEPS {
             let middle = 0.5 * (near + far);
@@ -44,7 +44,7 @@ impl Point {
     }
 }
 
-/// Lower bound of the maximum mean square error of k cams.
+/// Lower bound of the maximum mean square error of all walkers with k cams.
 pub fn worst(points: &[Point], cams: usize) -> f64 {
     let alone = points.iter().fold(0.0_f64, |m, p| m.max(p.least));
     if cams >= points.len() {
@@ -72,8 +72,9 @@ pub fn worst(points: &[Point], cams: usize) -> f64 {
         .fold(alone, f64::max)
 }
 
-/// Replaces each point by its coordinates in an orthonormal basis of the affine hull of all points; distances are unchanged. For laws, this reduces
-/// the nodes to the dimension of the hull, which is at most the number of basis functions.
+/// Replaces each point by its coordinates in an orthonormal basis of the affine hull of all points. Distances between points are unchanged.
+/// The number of coordinates decreases from the number of nodes to the dimension of the hull. For laws, this dimension is at most the
+/// number of basis functions.
 pub fn compressed(points: Vec<Point>) -> Vec<Point> {
     let Some(first) = points.first().map(|p| p.at.clone()) else {
         return points;
@@ -97,8 +98,8 @@ pub fn mean(points: &[Point], shares: &[f64], cams: usize) -> f64 {
     spread(points, shares, cams).0
 }
 
-/// Lower bound of the mean square error of the worst walkers for k cams. `part` is the fraction of the walkers that are not among the worst. `shares`
-/// are the weights of all cycles, and `start` the initial weights of the worst ones.
+/// Lower bound for k cams if only the worst walkers count. It bounds their mean square error. `part` is the fraction of the walkers that
+/// are not among the worst. `shares` are the weights of all cycles. `start` contains the initial weights of the worst cycles.
 ///
 /// Each admissible set of weights gives a lower bound, which is concave in the weights. Frank–Wolfe steps (1956) increase the weights of the cycles
 /// that are farthest from the best affine subspace.
@@ -116,8 +117,8 @@ pub fn tail(points: &[Point], part: f64, shares: &[f64], cams: usize, start: &[f
     best
 }
 
-/// Lower bound of the weighted mean square error of k cams, and the mean square error of each point for the best affine subspace. The subspace has k
-/// − 1 dimensions; the error of a point contains its squared distance from the subspace.
+/// Lower bound of the weighted mean square error of k cams, and the mean square error of each point for the best affine subspace. The
+/// subspace has k − 1 dimensions. The error of a point includes its squared distance from the subspace.
 fn spread(points: &[Point], shares: &[f64], cams: usize) -> (f64, Vec<f64>) {
     let weights: Vec<f64> = points
         .iter()

@@ -17,7 +17,7 @@ use crate::synth::{Design, Search};
 /// use gaitcam::synth::Search;
 /// use gaitcam::{cover, scene};
 ///
-/// // Two cams share the cadences of a model: the worst error falls by a quarter.
+/// // With two cams instead of one, the maximum error decreases by more than a quarter.
 /// let scene = scene::built_in("footbridge")?.scene()?.with("gait.step_frequency", "1.4 Hz:2.4 Hz:11")?;
 /// let scene = scene.with("law.robust", "worst")?;
 /// let walkers = scene.model_force()?.unwrap();
@@ -37,7 +37,7 @@ pub struct Cover {
     /// Weighted mean of the RMS force errors. This value and the following ones are in percent of each walker's mean force or in newtons, as
     /// `law.error` of the scene specifies.
     pub mean: f64,
-    /// Maximum RMS force error.
+    /// Maximum RMS force error of a cycle.
     pub worst: f64,
     /// Minimised quantity: the maximum error, or the root mean square error over all walkers or over the worst ones.
     pub objective: f64,
@@ -50,7 +50,7 @@ pub struct Cover {
 ///
 /// # Errors
 ///
-/// Errors of the design of a cam; a force that belongs to a single walker.
+/// Errors of the design of a cam. The force belongs to a single walker.
 pub fn covers(
     scene: &Scene,
     force: &ForceCurve,

@@ -1,4 +1,4 @@
-//! Errors of cams for new walkers: cross-validation over walkers, not over cycles of the same walker.
+//! Cross-validation of cams: force errors of new walkers. All cycles of a walker are left out together.
 
 use std::collections::BTreeMap;
 
@@ -11,17 +11,17 @@ use crate::synth::Search;
 
 /// Number of folds of the cross-validation.
 const PARTS: usize = 5;
-/// Minimum number of walkers for whom a cam is designed.
+/// Minimum number of walkers for whom a cam is designed in the cross-validation.
 const FEWEST: usize = 4;
 
-/// Result of the cross-validation for one number of cams and one number of walkers: errors of the walkers for whom the cams were designed, and of new
-/// walkers.
+/// Result of the cross-validation for one number of cams and one number of walkers. It contains the errors of the walkers for whom the cams
+/// were designed, and the errors of new walkers.
 ///
 /// ```
 /// use gaitcam::synth::Search;
 /// use gaitcam::{cover, scene};
 ///
-/// // Of ten walkers two are left out in turn; the error of others is that of a walker who comes new.
+/// // In each fold, two of the ten walkers are left out. Their errors estimate the error of a new walker.
 /// let scene = scene::built_in("footbridge")?.scene()?.with("gait.step_frequency", "1.5 Hz:2.3 Hz:10")?;
 /// let walkers = scene.model_force()?.unwrap();
 /// let folds = cover::folds(&scene, &walkers, 1, &Search::default())?;
@@ -65,8 +65,8 @@ impl Errors {
     }
 }
 
-/// Errors for the walkers of the design and for new walkers, by five-fold cross-validation. The number of cams is 1 to k, and the number of walkers
-/// of the design increases. Empty for fewer than ten walkers.
+/// Errors for the walkers of the design and for new walkers, by five-fold cross-validation. The number of cams is 1 to k, and the number of
+/// walkers of the design increases. The result is empty for fewer than ten walkers, or if the search is stopped.
 ///
 /// # Errors
 ///

@@ -1,8 +1,8 @@
 //! Several cams for many walkers, and the assignment of the walkers.
 //!
-//! From several starts, two steps alternate until the assignment is stable (Lloyd, 1982). First every cam is designed for its walkers, then every
-//! walker is assigned to the best cam. If the objective counts only the worst walkers, the design of a cam counts only those of its walkers that are
-//! among the worst of all. The result need not be optimal; `bound` gives a lower bound.
+//! From several starts, two steps alternate until the assignment is stable (Lloyd, 1982). First, every cam is designed for its walkers.
+//! Then, every walker is assigned to the cam with the minimum error. If the objective counts only the worst walkers, the design of a cam
+//! counts only its walkers that are among the worst of all walkers. The result need not be optimal. `bound` computes a lower bound.
 
 mod alternation;
 mod bound;

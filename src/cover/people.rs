@@ -21,7 +21,8 @@ pub struct People<'a> {
     pub shares: Vec<f64>,
     /// The common cam of all walkers.
     pub one: Design,
-    /// Force of the individual cam of each cycle, with its mean square error and an error bound; empty if no lower bound is required.
+    /// Force of the individual cam of each cycle, with its mean square error and an error bound. The list is empty if no lower bound is
+    /// required.
     pub points: Vec<Point>,
 }
 

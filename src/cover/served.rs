@@ -1,4 +1,4 @@
-//! Errors of walkers with cams that were designed for others.
+//! Errors of walkers with cams that were designed for other walkers.
 
 use serde::Serialize;
 
@@ -17,7 +17,7 @@ use crate::synth::{Design, OfPopulation};
 /// use gaitcam::synth::Search;
 /// use gaitcam::{cover, scene};
 ///
-/// // A slow and a quick walk: one cam serves both, and the parts of each error add up to it.
+/// // One cam is assigned to a slow and a fast walker. For each walker, the squares of the components add up to the square of the error.
 /// let scene = scene::built_in("footbridge")?.scene()?.with("gait.step_frequency", "1.6 Hz:2.1 Hz:2")?;
 /// let walkers = scene.model_force()?.unwrap();
 /// let covers = cover::covers(&scene, &walkers, 1, &Search::default())?;
@@ -41,7 +41,7 @@ pub struct Assigned {
 ///
 /// # Errors
 ///
-/// The errors of the design of one cam.
+/// Errors of the input. The force contains only one cycle.
 pub fn served_by(scene: &Scene, cams: &[Design], force: &ForceCurve) -> Result<Vec<Assigned>> {
     let mut best: Vec<Assigned> = Vec::new();
     let problem = Problem::resolve(scene, Some(force))?;
@@ -75,7 +75,7 @@ impl Under {
     ///
     /// # Errors
     ///
-    /// The problem has only one cycle.
+    /// The force of the problem contains only one cycle.
     pub fn of(problem: &Problem, design: &Design) -> Result<Under> {
         let problem = problem.at_phase(design.problem.phase);
         let walkers = problem.walkers.as_deref().ok_or_else(one_walker)?;

@@ -18,7 +18,7 @@ pub enum Direction {
 }
 
 impl Direction {
-    /// Sign of the change of a bound that makes the limit less strict.
+    /// +1 if a larger bound is less strict, −1 if a smaller bound is less strict.
     pub const fn sign(self) -> f64 {
         match self {
             Direction::AtMost => 1.0,
@@ -46,11 +46,12 @@ impl Direction {
 pub enum DependsOn {
     /// The quantity depends on the cam only, not on speed or walker.
     Cam,
-    /// The quantity is the time derivative of the lift of this order. It is proportional to this power of the speed.
+    /// The quantity is the nth time derivative of the lift, where n is the value of this variant. It is proportional to the nth power of
+    /// the speed.
     Motion(usize),
-    /// The contact force. It is linear in the force at rest and in the factor β of the walker.
+    /// The contact force. It is linear in the force at rest and in the factor β of the walker (theory §8).
     Force,
-    /// The quantity depends on force and cam together. Its values for two walkers do not differ by a common factor.
+    /// The quantity depends on both the force and the cam. The ratio of its values for two walkers varies with the cam angle.
     Load,
     /// The vibration of a compliant follower at constant speed. It is checked for every walker.
     Vibration,
@@ -75,27 +76,27 @@ impl DependsOn {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Diagram {
-    /// Diagram of the contact force.
+    /// Contact force between cam and follower.
     Force,
-    /// Diagram of the lift.
+    /// Lift of the follower.
     Lift,
-    /// Diagram of the velocity with respect to time.
+    /// First derivative of the lift with respect to time.
     Velocity,
-    /// Diagram of the acceleration with respect to time.
+    /// Second derivative of the lift with respect to time.
     Acceleration,
-    /// Diagram of the jerk with respect to time.
+    /// Third derivative of the lift with respect to time.
     Jerk,
-    /// Diagram of the radius of curvature.
+    /// Radius of curvature of the profile.
     Radius,
-    /// Diagram of the pressure angle.
+    /// Pressure angle, with its sign.
     PressureAngle,
-    /// Diagram of the contact position on a flat face.
+    /// Position of the contact on a flat face.
     Contact,
-    /// Diagram of the shaft torque.
+    /// Torque of the shaft without friction.
     Torque,
-    /// Diagram of the shaft power.
+    /// Power of the shaft, positive for driving and negative for braking.
     Power,
-    /// Diagram of the shaft speed.
+    /// Speed of the shaft, which varies over the turn if a motor drives the shaft.
     Speed,
 }
 
@@ -142,7 +143,7 @@ impl Lines {
         }
     }
 
-    /// Ordinate of the curve from which the bound is measured, such as its minimum; `None` if the line is at the bound itself.
+    /// Ordinate from which the bound is measured: zero, or the minimum of the curve. `None` if the line is at the bound itself.
     pub fn origin(self, lowest: f64) -> Option<f64> {
         match self {
             Lines::AtBound => None,
@@ -177,9 +178,9 @@ pub struct LimitFacts {
     pub direction: Direction,
     /// Dependence of the quantity on speed and walker.
     pub depends_on: DependsOn,
-    /// Whether changing the limit for the end of a polydyne follower can bring the value of the cam to its bound.
+    /// Applies to polydyne cams: whether changing this limit for the follower's end can bring the value of the cam to its bound.
     pub moves_with_end: bool,
-    /// Diagram of the quantity, and the lines that represent its bound; `None` without a diagram.
+    /// Diagram that shows the quantity, and the lines that represent its bound; `None` without a diagram.
     pub diagram: Option<(Diagram, Lines)>,
     /// Severity of a failed check of the limit.
     pub severity: Severity,

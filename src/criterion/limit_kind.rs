@@ -18,43 +18,43 @@ use super::{Criterion, DependsOn, Diagram, Direction, LimitFacts, Lines, Severit
 #[strum(serialize_all = "snake_case")]
 #[non_exhaustive]
 pub enum LimitKind {
-    /// Maximum stroke of the follower.
+    /// Maximum stroke of the follower, m (rad for an arm).
     Stroke,
-    /// Maximum |velocity| with respect to time.
+    /// Maximum |velocity| with respect to time, m/s (rad/s for an arm).
     Velocity,
-    /// Maximum |acceleration| with respect to time.
+    /// Maximum |acceleration| with respect to time, m/s² (rad/s² for an arm).
     Acceleration,
-    /// Maximum |jerk| with respect to time.
+    /// Maximum |jerk| with respect to time, m/s³ (rad/s³ for an arm).
     Jerk,
-    /// Minimum contact force over the turn.
+    /// Minimum contact force over the turn, N (N·m for an arm).
     ForceMin,
-    /// Maximum contact force over the turn.
+    /// Maximum contact force over the turn, N (N·m for an arm).
     ForceMax,
-    /// Minimum convex radius of curvature.
+    /// Minimum convex radius of curvature of the finished cam, m.
     Curvature,
-    /// Maximum |pressure angle|, with the same value for rise and fall.
+    /// Maximum |pressure angle|, rad, with the same value for rise and fall.
     PressureAngle,
-    /// Maximum |pressure angle| where the follower rises.
+    /// Maximum |pressure angle| where the follower rises, rad.
     PressureAngleRise,
-    /// Maximum |pressure angle| where the follower falls.
+    /// Maximum |pressure angle| where the follower falls, rad.
     PressureAngleFall,
-    /// Maximum prime radius (flat faces: base radius).
+    /// Maximum prime radius, m. For a flat face it is the base radius.
     PrimeRadius,
-    /// Maximum diameter of the finished cam.
+    /// Maximum diameter of the finished cam, m.
     Diameter,
-    /// Maximum length of a flat face.
+    /// Maximum length of a flat face, m.
     FaceWidth,
-    /// Maximum |torque| of the shaft.
+    /// Maximum |torque| of the shaft without friction, N·m.
     Torque,
-    /// Maximum |power| of the shaft.
+    /// Maximum |power| of the shaft without friction, W, for driving or braking.
     Power,
-    /// Maximum mean shaft power.
+    /// Maximum mean power of the shaft without friction, W. Damping dissipates this power.
     PowerMean,
-    /// Maximum rate of the shaft torque.
+    /// Maximum |rate of change| of the shaft torque with respect to the cam angle, N·m/rad.
     TorqueRate,
-    /// Maximum Hertz pressure of the contact.
+    /// Maximum Hertz pressure of the line contact, Pa.
     HertzPressure,
-    /// Maximum vibration amplitude in a dwell.
+    /// Maximum amplitude of the residual vibration in a dwell, m (rad for an arm).
     Residual,
 }
 
@@ -62,7 +62,8 @@ impl LimitKind {
     /// All limits, in the order of the key table.
     pub const ALL: &'static [LimitKind] = <LimitKind as strum::VariantArray>::VARIANTS;
 
-    /// Name of the limit among the checks in `summary.json`: the last word of the key.
+    /// Name of the limit among the checks in `summary.json`. It is the last word of the key of the limit, such as `stroke` for
+    /// `limits.stroke`.
     pub fn name(self) -> &'static str {
         self.into()
     }
@@ -72,7 +73,8 @@ impl LimitKind {
         name.parse().ok()
     }
 
-    /// Whether a check of a design measures this limit. If rise and fall have the same pressure-angle limit, the check of each side measures it.
+    /// Whether a check of a design measures this limit. A common pressure-angle limit is measured by the check of the rise and by the check
+    /// of the fall.
     pub fn is_measured_by(self, check: Criterion) -> bool {
         let side =
             [LimitKind::PressureAngleRise, LimitKind::PressureAngleFall].map(Criterion::Limit);

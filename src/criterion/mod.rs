@@ -27,21 +27,21 @@ pub enum Criterion {
     Limit(LimitKind),
     /// Root mean square of the force error.
     RmsError,
-    /// Accuracy as a fraction of the mean force, as in a scene.
+    /// Permitted RMS force error as a fraction of the mean force, as given by the key `accuracy.rms`.
     Accuracy,
-    /// Band around the target force.
+    /// The force is inside the band around the target force.
     Band,
     /// The lift is nowhere below the base circle.
     BaseCircle,
-    /// The bore fits into the base circle.
+    /// Diameter of the bore, m. It limits the size of the base circle from below.
     Bore,
     /// The base circle stays outside the bore and its keyway.
     BaseOutsideBore,
-    /// Base radius given in the scene.
+    /// Base radius given in the scene, m.
     BaseRadius,
-    /// Prime radius given in the scene.
+    /// Prime radius given in the scene, m.
     GivenPrimeRadius,
-    /// Shaft inertia given in the scene.
+    /// Shaft inertia given in the scene, kg·m².
     Inertia,
     /// The roller fits the concave parts of the profile.
     Concave,
@@ -51,9 +51,9 @@ pub enum Criterion {
     UpperWall,
     /// Convex radius of the lower wall of a groove.
     LowerWall,
-    /// A flank on which the lift only rises or only falls.
+    /// Requirement that the lift between two points of the law only rises or only falls.
     Monotone,
-    /// Maximum of the quantity whose peak is minimised.
+    /// Maximum of the quantity that a minimax objective minimises.
     Peak,
     /// Diameter of the second cam of a pair.
     SecondDiameter,
@@ -173,7 +173,7 @@ impl Criterion {
         self.severity() == Severity::PressureAngle
     }
 
-    /// The limit of the scene that this criterion refers to, if any.
+    /// The limit of the scene to which this criterion refers; `None` for other criteria.
     pub fn limit(self) -> Option<LimitKind> {
         match self {
             Criterion::Limit(kind) => Some(kind),

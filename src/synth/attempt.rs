@@ -1,4 +1,4 @@
-//! Law on its cam for one problem, or the reason why the limits are infeasible.
+//! Law and cam for one problem, or the reason why the limits are infeasible.
 //!
 //! For a rigid machine at constant speed and a single force, this is the whole design. For a machine whose motion depends on the cam, a
 //! compliant follower or a population, several such problems are derived and solved.
@@ -20,8 +20,8 @@ use crate::scene::{LawSpec, Minimise};
 /// A law with its cam, force and checks.
 #[derive(Clone)]
 pub struct Attempt {
-    /// Best law within the limits, or without them if they are infeasible. Its minimum is on the base circle, unless the drive or a condition
-    /// fixes the level of the lift.
+    /// Best law within the limits, or without them if they are infeasible. Its minimum lift is on the base circle, unless the drive or a
+    /// condition fixes the level of the lift.
     pub law: SolvedLaw,
     /// Cam of the law, with force and checks.
     pub cam: CheckedCam,
@@ -65,8 +65,8 @@ pub fn under_limits(problem: &Problem, search: &Search) -> Sought<Attempt> {
     on_cam(problem, families::law(problem, search)?)
 }
 
-/// Law computed without a nonconvex limit on the diameter; `None` if the law violates this limit. A law that satisfies the limit is also the
-/// optimum with it, so the sequence of convex programs is not needed.
+/// Law computed without the nonconvex limit on the diameter. A law that satisfies this limit is also the optimum with the limit, so the
+/// sequence of convex programs is not needed. `None` if the law violates the limit, if no law exists, or if the problem has no such limit.
 fn within_diameter(problem: &Problem, search: &Search) -> Result<Option<Attempt>> {
     if !limits::diameter_is_nonconvex(problem) {
         return Ok(None);
@@ -79,7 +79,7 @@ fn within_diameter(problem: &Problem, search: &Search) -> Result<Option<Attempt>
     Ok(attempt.filter(|attempt| attempt.cam.checks.iter().all(keeps)))
 }
 
-/// Places a law on the given or the smallest cam of a problem.
+/// Combines a law with the given or the smallest feasible cam of a problem.
 fn on_cam(
     problem: &Problem,
     sought: std::result::Result<SolvedLaw, Box<Refusal>>,
@@ -106,8 +106,8 @@ impl Attempt {
 }
 
 /// Best law without some limits. If the limits are infeasible only because of the required accuracy, the law is computed without this
-/// accuracy. Otherwise it is computed without any limit. If this fails, it may also be below the base circle. If the force error is limited
-/// but is not the objective, the law minimises the force error.
+/// accuracy. Otherwise it is computed without any limit. If this fails, the lift may also be below the base circle. If the force error is
+/// limited but is not the objective, the law minimises the force error.
 fn without_limits(problem: &Problem, search: &Search, refusal: &Refusal) -> Sought<Attempt> {
     let timely = Search::until(search.halt.clone());
     let of_accuracy = refusal.is_of_accuracy();
@@ -126,7 +126,7 @@ fn without_limits(problem: &Problem, search: &Search, refusal: &Refusal) -> Soug
         },
         ..bare.law.clone()
     });
-    // After the time limit, the least-squares problem is solved without a limit, because it takes little time.
+    // After the time limit, the least-squares problem is solved without a time limit, because it takes little time.
     let endless = Search::default().below_base_circle();
     let is_late = search.halt.is_asked();
     let timely = (!is_late)
@@ -153,7 +153,7 @@ fn without_limits(problem: &Problem, search: &Search, refusal: &Refusal) -> Soug
     on_cam(problem, law.map(unproved))
 }
 
-/// The problem with an objective for which a least-squares problem or a closed form gives the law.
+/// The problem with a quadratic objective instead of a peak. A least-squares problem or a closed form then gives the law.
 fn quick(problem: &Problem) -> Problem {
     match problem.objective() {
         Minimise::Peak(order) => problem.minimising(Minimise::Energy(order)),

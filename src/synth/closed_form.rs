@@ -1,9 +1,9 @@
 //! Characteristic values (figures) of a design in closed form, for many problems with the same target force (theory §1). A complete synthesis
 //! is not necessary. The closed form applies to a rigid machine at constant speed.
 //!
-//! If the drive is a pure inertia, the law is a fixed curve multiplied by a factor. All extremes of lift, velocity, acceleration, jerk, force
-//! and flat-face curvature are scaled extremes of this curve. Tests compare these figures with those of the complete design, with the
-//! relative tolerance 1e-9.
+//! If the drive is a pure inertia, the law is a fixed curve multiplied by a factor. All extremes of lift, velocity, acceleration, jerk,
+//! force and flat-face curvature are scaled extremes of this curve. Tests compare these figures with the figures of the complete design,
+//! with the relative tolerance 1e-9.
 
 use std::f64::consts::PI;
 
@@ -17,13 +17,13 @@ use crate::synth::design::machine::MachineReport;
 use crate::synth::limits::GEOMETRY;
 use crate::synth::report::force::ForceReport;
 
-/// Relative difference between mean force and mean target below which the two count as equal.
+/// Relative difference between mean force and mean target below which both count as equal.
 const SAME: f64 = 1e-13;
 /// Fraction of the mean force below which a permitted force error is within rounding errors. The closed form is then not used.
 const ROUNDING: f64 = 1e-5;
 
-/// Figures of the design in closed form, for harmonics under a translating flat face. `None` for other problems, and if a limit may be violated.
-/// These require the complete synthesis.
+/// Figures of the design in closed form, for harmonics under a translating flat face. `None` for other problems, and if a limit may be
+/// violated. In these cases, the complete synthesis is necessary.
 pub fn figures(problem: &Problem) -> Option<Figures> {
     let is_closed = problem.is_plain()
         && problem.law.family == Family::Harmonic
@@ -78,12 +78,13 @@ struct Motion<'a> {
     scale: f64,
     factor: f64,
     level: f64,
-    /// Minimum and maximum of the lift without its constant level, m, and of its first three derivatives.
+    /// Minimum and maximum of the lift without its constant level, m, and of its first three derivatives with respect to the cam angle.
     svaj: [[f64; 2]; 4],
 }
 
 impl Motion<'_> {
-    /// Figures for the cam of the problem. `error` is the RMS and the maximum error of the series.
+    /// Figures for the cam of the problem. `error` contains the RMS error and the maximum error of the common force series, before
+    /// multiplication by `scale`.
     fn figures(&self, problem: &Problem, error: [f64; 2]) -> Figures {
         let (drive, mean, scale) = (&problem.drive, problem.target_mean(), self.scale);
         let [rms_error_n, max_error_n] = error.map(|error| scale * error);
@@ -179,7 +180,7 @@ fn passes(problem: &Problem, figures: &Figures) -> bool {
             LimitKind::PressureAngleRise | LimitKind::PressureAngleFall => {
                 (LimitKind::PressureAngle, limit)
             }
-            // Recuperated power is also limited.
+            // The power limit also applies to recuperated power.
             LimitKind::Power => (LimitKind::Torque, limit / problem.drive.speed),
             other => (other, limit),
         };

@@ -1,4 +1,4 @@
-//! Completion of a design: verdict and notes for a law on its cam, and the reports on machine and population.
+//! Completion of a design: verdict and notes for a law with its cam, and the reports on machine and population.
 
 use std::sync::Arc;
 
@@ -27,13 +27,13 @@ pub struct Reports {
     pub relaxations: Vec<Relaxation>,
 }
 
-/// Completes a design: the law on its cam, with verdict, infeasible limits, notes and reports.
+/// Completes a design. It contains the law with its cam, the verdict, infeasible limits, notes and reports.
 pub fn finished(problem: &Problem, search: &Search, attempt: Attempt, reports: Reports) -> Design {
     let Attempt { law, cam, refusal } = attempt;
     let too_large = |c: &Check| c.name == LimitKind::PrimeRadius && !c.pass;
     let out_of_time = search.halt.was_heard();
     let infeasible = match refusal {
-        // If the search was stopped early, infeasibility is not proved, and the law found so far is judged as it is.
+        // If the search was stopped early, infeasibility is not proved. The design then reports the stopped search instead.
         Some(refusal) if out_of_time && !refusal.is_found() => None,
         Some(refusal) => Some(infeasible::explain(problem, &refusal)),
         None if cam.checks.iter().any(too_large) => infeasible::bore_against_size(problem),

@@ -1,7 +1,9 @@
-//! Cam design: from a target force, it computes a law with its certificate, and the cam.
+//! Cam design: computes a law, its certificate of optimality, and the cam from a target force.
 //!
-//! The law s(θ) is a linear combination of basis functions, s = Σ xᵢBᵢ. The force F₀ + k s + cω v + mω² a is linear in the law. Limits on lift,
-//! velocity, acceleration, jerk, force and flat-face curvature are linear in the law too. The problem
+//! The law s(θ) is a linear combination of basis functions, s = Σ xᵢBᵢ. The force F = F₀ + k s + cω v + mω² a is linear in the law. F₀ is
+//! the force at rest, k the spring rate, c the damping, m the mass and ω the shaft speed. The derivatives of the lift s with respect to the
+//! cam angle are v and a. F* is the target force. Limits on lift, velocity, acceleration, jerk, force and flat-face curvature are linear in
+//! the law too. The problem
 //!
 //! ```text
 //! minimise   mean over the turn of (F(θ) − F*(θ))²      (or the energy or peak of a derivative)
@@ -22,8 +24,9 @@
 //! such that E x = e           demands at points, dwells
 //! ```
 //!
-//! H is banded with a border, because the law is periodic. One Cholesky factorisation is sufficient; its cost is linear in N. If the force
-//! does not determine the mean lift (moving axis), one coefficient is fixed. The minimum of the lift is placed on the base circle afterwards.
+//! H is banded with a border, because the law is periodic. One Cholesky factorisation is sufficient, with a cost that is linear in N. If
+//! the force does not determine the mean lift (moving axis), one coefficient is fixed. The minimum of the lift is placed on the base circle
+//! afterwards.
 //!
 //! **QP.** Limits a(θ)ᵀx ≤ b(θ) for every θ are added: acceleration, jerk, stroke, force, flat-face curvature, or a band about the target.
 //! The method starts from the optimum without limits. The points of maximum violation, computed as roots in Bernstein form, become rows of a
@@ -40,13 +43,14 @@
 //! where R is minimised or bounded. For a flat face, the limit is R + s + a ≥ ρ instead. The solver Clarabel solves the program, and rows are
 //! added and removed as for the QP.
 //!
-//! **SCP.** Some limits h(s, v, a, j, D, e) ≥ 0 are not convex. Those of the profile are the curvature of a roller cam, and curvature and
-//! pressure angle of followers on an arm. Those of the loads are the shaft torque F v, its rate F′v + F a, and the pressure between a roller and
-//! its cam. The limits are linearised at the minima of h, and the convex program is solved. The step is halved until h ≥ 0 over the whole turn.
-//! Every iterate is feasible, and every step improves the objective.
+//! **SCP.** Some limits h(s, v, a, j, D, e) ≥ 0 are not convex. Limits of the profile restrict the curvature of a roller cam, or curvature
+//! and pressure angle of followers on an arm. Load limits restrict the shaft torque F v, its rate F′v + F a, and the pressure between a
+//! roller and its cam. The limits are linearised at the minima of h, and the convex program is solved. The step is halved until h ≥ 0 over
+//! the whole turn. Every iterate is feasible, and every step improves the objective.
 //!
-//! **Polydyne.** For a compliant follower, the law y of its end is optimised. The law of the cam is s = y + x, where the deflection x follows
-//! from x + (c₁ω/k₁) x′ = F(y)/k₁. The limits for the end are changed until the cam reaches its limits.
+//! **Polydyne.** For a compliant follower, the law y of its end is optimised. The law of the cam is s = y + x, where the deflection x
+//! follows from x + (c₁ω/k₁) x′ = F(y)/k₁. The stiffness of the follower is k₁, and its damping is c₁. The limits for the end are changed
+//! until the cam reaches its limits.
 //!
 //! **Accuracy.** If the objective is not the force error, √(mean (F − F*)²) ≤ e is a further convex limit. Half the square of the left side
 //! is added to the objective. Its weight is chosen such that the limit is active. If a peak is minimised, the program minimises the force
@@ -117,7 +121,7 @@ use crate::scene::Scene;
 ///
 /// # Errors
 ///
-/// Errors of the input.
+/// Errors of the input. No cam exists, for example because no law satisfies the conditions.
 pub fn synthesise(scene: &Scene, force: Option<&ForceCurve>) -> Result<Design> {
     design(&Problem::resolve(scene, force)?, &Search::default())
 }
@@ -127,7 +131,7 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// Errors of the scene. The force has to be read from a file, which requires [`Scene::design_for`].
+    /// Errors of the scene. The scene refers to a force file, which requires [`Scene::design_for`].
     pub fn design(&self) -> Result<Design> {
         synthesise(self, self.model_force()?.as_ref())
     }
@@ -138,7 +142,7 @@ impl Scene {
     /// use gaitcam::Scene;
     /// use gaitcam::scene::Gait;
     ///
-    /// // The force is used whether the scene has a section for it or not.
+    /// // The force is used with and without a `gait` section in the scene.
     /// let young = Gait { step_frequency: Some(1.85), ..Gait::model("young") };
     /// let force = young.model_force()?.unwrap();
     /// let with = Scene { gait: Some(Gait::given()), ..Scene::default() };

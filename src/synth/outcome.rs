@@ -55,7 +55,7 @@ impl Outcome {
     ///
     /// # Errors
     ///
-    /// There is no design; the error is the reason.
+    /// There is no cam. The error contains the reason.
     pub fn built(self) -> Result<Design> {
         match self {
             Outcome::Built(design) => Ok(*design),

@@ -18,7 +18,7 @@ use crate::scene::{Family, LawSpec, LimitKind, Minimise};
 /// use gaitcam::synth::{Search, trade, traded};
 /// use gaitcam::{Problem, scene};
 ///
-/// // Less stroke costs force error.
+/// // A smaller stroke causes a larger force error.
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
 /// let front = trade(&problem, traded("force_error:stroke")?, 4, &Search::default())?;
@@ -37,13 +37,14 @@ pub struct Trade {
     pub design: Design,
 }
 
-/// Largest force error on the front, relative to the mean force. If twice the error of the unlimited law is larger, twice this error is used.
+/// Largest force error on the front, relative to the mean force. If twice the error of the unlimited law is larger than this value, twice
+/// the error is the maximum instead.
 const WORST: f64 = 0.1;
 /// Number of bisection steps that find the tightest value of the front.
 const HALVINGS: usize = 14;
 /// Ratio of the weakest permitted value on the front and the value of the unlimited law. The ratio is below 1, so that the limit is active.
 const INSIDE: f64 = 1.0 - 1e-6;
-/// Ratio of the number of spans of the laws on the front and the number of spans of the first design.
+/// Factor from the number of spans of the first design to the number of spans of a law on the front.
 const MORE_SPANS: usize = 2;
 /// Maximum automatic number of spans of a law on the front.
 const MOST_SPANS: usize = 64;
@@ -51,7 +52,7 @@ const MOST_SPANS: usize = 64;
 /// The quantity (figure) that is combined with the force error in a pair such as `force_error:prime_radius`, in either order.
 ///
 /// # Errors
-/// The pair is incomplete, lacks the force error, or contains an unknown figure. The error contains the known figures.
+/// The pair is incomplete, lacks the force error, or contains an unknown figure. The error lists the valid figures.
 ///
 /// ```
 /// use gaitcam::synth::traded;
@@ -89,7 +90,7 @@ pub fn traded(pair: &str) -> Result<&'static Figure> {
     })
 }
 
-/// Limit by which a figure is bounded in a problem.
+/// Limit of a problem that bounds a figure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Bound {
     /// The limit of the figure in the scene.
@@ -103,7 +104,8 @@ impl Bound {
         figure.limit.map_or(Bound::LiftoffSpeed, Bound::Limit)
     }
 
-    /// Converts a value to a quantity to be minimised, or back: the inverse for a lift-off speed, otherwise the value itself.
+    /// Converts a value of the figure to a quantity to be minimised, or back. The result is the reciprocal of a lift-off speed, and the
+    /// unchanged value for other figures.
     fn turned(self, value: f64) -> f64 {
         match self {
             Bound::LiftoffSpeed => 1.0 / value,
@@ -134,11 +136,11 @@ impl Bound {
         }
     }
 
-    /// The problem with the figure bounded by `value`.
+    /// The problem with `value` as a bound of the figure. A stricter limit of the scene is kept.
     fn held(self, problem: &Problem, value: f64) -> Problem {
         match self {
             Bound::LiftoffSpeed => {
-                // M(g + ωₗ²a) ≥ 0 bounds a, and with it the force at the speed of the machine.
+                // With the lift-off speed ωₗ, the condition M(g + ωₗ²a) ≥ 0 bounds a, and thereby the force at the speed of the machine.
                 let drive = &problem.drive;
                 let least = drive.rest_force * (1.0 - (drive.speed / value).powi(2));
                 let own = problem.limits[LimitKind::ForceMin];
@@ -180,7 +182,8 @@ fn unlimited(problem: &Problem, search: &Search) -> Result<Problem> {
 ///
 /// # Errors
 ///
-/// The problem has no target force, another family than splines, or a given size, or is infeasible without the limit.
+/// The problem has no target force, its family is neither `spline` nor `auto`, or its limits are infeasible. For the prime radius, the size
+/// is given. For the Hertz pressure, the size is not given. For the lift-off speed, the drive is not a moving axis.
 pub fn trade(
     problem: &Problem,
     against: &Figure,
@@ -218,7 +221,7 @@ pub fn trade(
             _ => low = middle,
         }
     }
-    // Values below that of the unlimited law may be infeasible, for example if a bore determines the size.
+    // Values below the value of the unlimited law may be infeasible, for example if a bore determines the size.
     if high == most && !held(most).is_ok_and(|d| good(&d)) {
         let (allowed, design) = (of(&free), free);
         return Ok(vec![Trade { allowed, design }]);

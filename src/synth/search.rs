@@ -1,4 +1,4 @@
-//! Options of a search: the stop condition, and which results are useful.
+//! Options of a search: the stop condition, and the kinds of designs that are useful.
 
 use crate::halt::Halt;
 
@@ -9,7 +9,7 @@ use crate::halt::Halt;
 /// use gaitcam::synth::{Search, design};
 /// use gaitcam::{Problem, scene};
 ///
-/// // Time is looked at between programs: a design of one program is complete.
+/// // The stop condition is polled between programs, so a design that needs only one program is complete.
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
 /// let design = design(&problem, &Search::until(Halt::when(|| true)))?;

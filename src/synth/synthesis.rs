@@ -1,4 +1,4 @@
-//! Design of a problem: for one force or many walkers, and for a machine with or without a motion that depends on the cam.
+//! Design of a problem, for one force or many walkers. The motion of the machine may depend on the cam.
 
 use super::attempt::{attempt, under_limits};
 use super::design::Design;
@@ -16,7 +16,7 @@ use crate::problem::Problem;
 ///
 /// # Errors
 ///
-/// Errors of the input.
+/// Errors of the input. No cam exists, for example because no law satisfies the conditions.
 pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
     check_arm(problem)?;
     let is_plain = !machine::responds(problem);

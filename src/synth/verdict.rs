@@ -26,7 +26,8 @@ pub fn verdict(
     bad.extend([0, 1].into_iter().filter_map(|k| jump(cam, k)));
     let mut failed: Vec<&Check> = checks.iter().filter(|c| !c.pass).collect();
     failed.sort_by_key(|c| c.name.severity());
-    // The weight on a moving axis explains the whole force error. Of two pressure angles, only the larger one is reported.
+    // If the mean target force differs from the weight on a moving axis, this difference is reported instead of the force error. Of two
+    // pressure angles, only the larger one is reported.
     let has_gap = problem.mean_force_gap().is_some();
     failed.retain(|c| match c.name {
         Criterion::RmsError => !has_gap,
@@ -107,8 +108,8 @@ fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport, low: &Check) -> 
     }
 }
 
-/// Preload of a spring and minimum target force, N, if the preload exceeds this minimum; otherwise `None`. The force of a spring cannot be less
-/// than its preload.
+/// Preload of a spring and minimum target force, N, if the preload exceeds this minimum by more than the permitted force error; otherwise
+/// `None`. The force of a spring cannot be less than its preload.
 fn preload_above(problem: &Problem) -> Option<[f64; 2]> {
     let drive = &problem.drive;
     let [least, _] = problem.target.as_ref()?.range_n();

@@ -24,18 +24,19 @@ pub struct Edge<'a> {
     place: Place,
 }
 
-/// Location of the edge relative to the contact points of the cam.
+/// Position of the edge relative to the contact points of the cam.
 #[derive(Debug, Clone, Copy)]
 enum Place {
     /// The contact points, shifted in +y by this distance, m.
     Raised(f64),
-    /// The side of the roller opposite to the contact points, shifted in +y, m, and whether the roller undercuts this side.
+    /// The points of the roller opposite to the contact points, shifted in +y by `raised`, m. `undercut` states whether the wall at these
+    /// points is undercut.
     Opposite { raised: f64, undercut: bool },
     /// The contact points, rotated by half a turn, as for the second cam of a pair on its shaft.
     HalfTurned,
 }
 
-/// Point of an edge with its tangent in the direction of increasing θ.
+/// Point of an edge, with the tangent in the direction of increasing cam angle θ.
 ///
 /// ```
 /// use gaitcam::scene::built_in;
@@ -54,7 +55,7 @@ pub struct EdgePoint {
     pub p: [f64; 2],
     /// Unit tangent of the edge.
     pub t: [f64; 2],
-    /// Centre of the roller in contact, m; for a flat face the contact point.
+    /// Centre of the roller in contact, m. For a flat face, it is the contact point.
     pub pitch: [f64; 2],
 }
 
@@ -149,7 +150,8 @@ impl<'a> Edge<'a> {
         EdgePoint { theta, p, t, pitch }
     }
 
-    /// `n` points at equal steps of the cam angle. A closed edge does not repeat its first point; an open edge ends at its last point.
+    /// `n` points at equal steps of the cam angle. A closed edge does not repeat its first point. The points of an open edge include both
+    /// ends.
     pub fn points(&self, n: usize) -> Vec<EdgePoint> {
         let (start, length) = self.cam.law.extent();
         let steps = if self.is_closed() {

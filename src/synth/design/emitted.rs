@@ -10,7 +10,7 @@ use crate::scene::MachineSpec;
 use crate::synth::report::reason::sentences;
 use crate::wording::Language;
 
-/// Number of profile points for simulations.
+/// Number of profile points per turn for simulations.
 const POINTS: usize = 1440;
 
 impl Design {
@@ -23,8 +23,8 @@ impl Design {
         undercut.then(|| sentences(&self.reasons, language))
     }
 
-    /// Input of a simulation, in a machine with this drive. The simulation uses the profile of the output files, not the law from which it
-    /// was computed. The contact pressure is computed for the materials of cam and follower and the thickness of the plate.
+    /// Input of a simulation of the cam in a machine with this drive. The simulation uses the profile of the output files, not the law from
+    /// which it was computed. The contact pressure is computed for the materials of cam and follower and the thickness of the plate.
     ///
     /// # Errors
     ///

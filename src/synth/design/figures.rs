@@ -23,7 +23,7 @@ use crate::wording::{DIGITS, Language, people, rounded, sentence};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Figures {
-    /// Comparison of achieved force and target, N; for a follower on an arm, forces at the lever.
+    /// Comparison of achieved force and target force, N. For a follower on an arm, the forces act at the lever.
     pub force: ForceReport,
     /// Mass that the cam moves, kg (for an arm the moment of inertia, kg·m²).
     pub mass: f64,
@@ -31,7 +31,8 @@ pub struct Figures {
     pub speed: f64,
     /// Maximum lift minus minimum lift, m (rad for an arm).
     pub stroke: f64,
-    /// Maximum |velocity|, |acceleration| and |jerk| with respect to time: m/s, m/s² and m/s³; for an arm rad/s, rad/s² and rad/s³.
+    /// Maximum |velocity|, |acceleration| and |jerk| with respect to time, in m/s, m/s² and m/s³. For an arm, the units are rad/s, rad/s²
+    /// and rad/s³.
     pub peaks: [f64; 3],
     /// Radius of the base circle, m.
     pub base_radius: f64,
@@ -58,7 +59,7 @@ pub struct Figures {
 }
 
 impl Figures {
-    /// Figures of a design.
+    /// Computes all figures of a design.
     pub fn of(design: &Design) -> Figures {
         let (cam, speed) = (&design.cam, design.problem.drive.speed);
         let (follower, (low, high)) = (&cam.follower, design.pressure_angle_extremes());
@@ -116,12 +117,12 @@ pub struct Figure {
     pub key: &'static str,
     /// Limit of the scene that applies to the figure; `None` without such a limit.
     pub limit: Option<Limit>,
-    /// Name of the figure as an objective in a trade-off with the force error.
+    /// Name of the figure in a trade-off with the force error; `None` if the figure has no trade-off.
     pub trade: Option<&'static str>,
-    /// Key of the scene whose value `auto` is computed as this figure.
+    /// Key of the scene for which this figure is the computed value if the scene contains `auto`; `None` for other figures.
     pub settles: Option<&'static str>,
     value: fn(&Figures) -> f64,
-    /// Displayed unit, if it depends on the kind of follower or cam.
+    /// Function for the displayed unit, if this unit depends on the kind of follower or cam.
     measured: Option<fn(Measures) -> Unit>,
 }
 
@@ -230,8 +231,8 @@ impl Figure {
 }
 
 /// All figures, in the order of the columns of a sweep. Each row contains the column name, the unit, the location in `summary.json`, the
-/// function for the value, and related keys. The lift-off speed has no limit of its own; a minimum force at the speed of the machine replaces
-/// it.
+/// function for the value, and related keys. The lift-off speed has no limit. A limit on the minimum force at the speed of the machine has
+/// the same effect.
 #[rustfmt::skip]
 pub static FIGURES: [Figure; 31] = [
     figure("force_rms_error_n",         "N",     ["force",   "rms_error_n"],              |f| f.force.rms_error_n).digits(3),

@@ -1,4 +1,5 @@
-//! Verdict from a simulation of the output profile. The simulated values replace those of the checks of force, loads and motion.
+//! Verdict from a simulation of the output profile. The simulated values replace the values of the designed law in the checks of force,
+//! loads and motion.
 
 use std::f64::consts::TAU;
 
@@ -15,8 +16,9 @@ use crate::units::Quantity;
 const RESOLVED: f64 = 1e-3;
 
 impl Design {
-    /// The design with its verdict from a simulation of the output profile. Where the simulation gives a value, this value replaces that of
-    /// the check. Loss of contact makes the cam unacceptable, unless the scene switches this check off.
+    /// The design with its verdict from a simulation of the output profile. Where the simulation gives a value, this value replaces the
+    /// value of the check. Loss of contact makes the cam unacceptable, unless the scene switches this check off or permits a negative
+    /// contact force.
     #[must_use]
     pub fn judged_in(self, run: &Outcome) -> Design {
         let force = run.force.max.abs().max(run.force.min.abs());
@@ -63,7 +65,8 @@ impl Design {
         let exactly = |value: f64, row: Option<Extreme>| row.map(|row| Extreme { value, ..row });
         let force = |sign: f64| largest(&|row: &Row| sign * row.contact_force);
         match criterion {
-            // The force in flight is zero. The prescribed force shows by how much contact is lost.
+            // The contact force is zero while contact is lost. The check of the designed law is kept, because the force of this law may be
+            // negative.
             Criterion::Limit(LimitKind::ForceMin) if run.contact_lost => None,
             Criterion::Limit(LimitKind::ForceMin) => exactly(run.force.min, force(-1.0)),
             Criterion::Limit(LimitKind::ForceMax) => exactly(run.force.max, force(1.0)),

@@ -9,8 +9,8 @@ use crate::poly::amplitudes;
 
 /// Number of harmonics of the step frequency.
 const HARMONICS: usize = 6;
-/// Number of samples of a turn from which the harmonics are computed. For a force with jumps of its slope, the load factors are accurate to
-/// 2e-5.
+/// Number of force samples per turn from which the harmonics are computed. For a force with jumps of its slope, the load factors are
+/// accurate to 2e-5.
 const SAMPLES: usize = 8192;
 /// Number of samples of the target force if it is a load model, which has only a few harmonics.
 const MODEL_SAMPLES: usize = 1024;

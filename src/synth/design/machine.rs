@@ -49,12 +49,12 @@ pub struct MachineReport {
     pub power_mean_w: Option<f64>,
     /// Minimum speed of the shaft at which the follower lifts off, rad/s.
     pub liftoff_speed_rad_per_s: Option<f64>,
-    /// Maximum Hertz pressure of the line contact over the thickness of the cam, Pa, for the materials of cam and follower; infinite for a knife
-    /// edge.
+    /// Maximum Hertz pressure of the line contact, Pa, for the thickness of the cam and the materials of cam and follower; infinite for a
+    /// knife edge.
     pub hertz_pressure_max_pa: Option<f64>,
 }
 
-/// The mean power, W. It is set to 0 if it is within the rounding errors of the extreme power.
+/// Mean power, W. It is set to 0 if it is within the rounding errors of the maximum absolute power.
 fn mean_power(mean: f64, extremes: [f64; 2]) -> f64 {
     let scale = extremes[0].abs().max(extremes[1].abs());
     if mean.abs() <= GIVEN_BACK * scale {
@@ -65,8 +65,7 @@ fn mean_power(mean: f64, extremes: [f64; 2]) -> f64 {
 }
 
 impl MachineReport {
-    /// Values of power and torque at a shaft speed, rad/s, computed from the extremes of a torque and from its mean and root mean square,
-    /// N·m.
+    /// Power and torque at a shaft speed, rad/s. They are computed from minimum, maximum, mean and root mean square of the torque, N·m.
     pub(in crate::synth) fn of_torque(
         [low, high]: [f64; 2],
         [mean, rms]: [f64; 2],
@@ -84,7 +83,7 @@ impl MachineReport {
 }
 
 impl Design {
-    /// Requirements of a design on its machine.
+    /// Torque, power, lift-off speed and contact pressure that the design requires of its machine.
     pub fn machine(&self) -> MachineReport {
         if self.is_idle() {
             return MachineReport::default();

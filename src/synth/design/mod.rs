@@ -46,7 +46,7 @@ use crate::wording::Language;
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
 /// assert_eq!(design.verdict, Verdict::Acceptable);
 /// assert!(design.checks.iter().all(|check| check.pass));
-/// // As data: what the law is, what the cam measures, why the verdict is what it is.
+/// // The serialised design contains the law, the dimensions of the cam, and the verdict with its reasons.
 /// let data = serde_json::to_value(&design).unwrap();
 /// assert_eq!(data["verdict"], "acceptable");
 /// assert_eq!(data["problem"]["drive"]["mass"], 700.0 / 9.81);
@@ -58,11 +58,11 @@ pub struct Design {
     /// Design problem that was solved. Serialised data contain only its name, drive and phase.
     #[serde(serialize_with = "in_short")]
     pub problem: Arc<Problem>,
-    /// Family of the law.
+    /// Family of the law, such as splines or harmonics.
     pub family: Family,
     /// Basis functions to which the coefficients belong.
     pub functions: Functions,
-    /// Coefficients of the law, m; for a polydyne cam they belong to the law of the follower's end.
+    /// Coefficients of the law, m. For a polydyne cam, they belong to the law of the follower's end.
     pub coefficients: Vec<f64>,
     /// Degree of the polynomials of the law for display; 0 for laws without polynomials, such as the double harmonic.
     pub degree: usize,
@@ -74,7 +74,7 @@ pub struct Design {
     pub conjugate: Option<Conjugate>,
     /// Groove of a barrel cam with both walls; `None` for other cams.
     pub groove: Option<BarrelGroove>,
-    /// Comparison of the achieved force with the target.
+    /// Comparison of the achieved force with the target force.
     pub force: ForceReport,
     /// Reason why the limits are infeasible; `None` for a feasible design.
     pub infeasible: Option<Infeasible>,
@@ -82,7 +82,7 @@ pub struct Design {
     /// design that fails.
     pub relaxations: Vec<Relaxation>,
     /// A common relative change of several limits for which the design passes. It is given if no single change is sufficient, or if only a
-    /// larger permitted force error is.
+    /// larger permitted force error is sufficient.
     pub together: Vec<Relaxation>,
     /// Verdict on the cam.
     pub verdict: Verdict,
@@ -117,12 +117,12 @@ fn in_short<S: Serializer>(problem: &Problem, to: S) -> Result<S::Ok, S::Error> 
 }
 
 impl Design {
-    /// Messages of the reasons for the verdict.
+    /// Messages of the reasons for the verdict in the given language, joined to one text.
     pub fn reason(&self, language: Language) -> String {
         sentences(&self.reasons, language)
     }
 
-    /// Messages of the notes.
+    /// Messages of the notes in the given language.
     pub fn remarks(&self, language: Language) -> Vec<String> {
         let said = |note: &Note| note.sentence(language);
         self.notes.iter().map(said).collect()
@@ -152,7 +152,7 @@ impl Design {
         self.of_problem(problem)
     }
 
-    /// The design with the same cam and the force of another problem.
+    /// The design with the same cam in another problem. The force report is computed for this problem.
     fn of_problem(self, problem: Problem) -> Design {
         Design {
             force: ForceReport::of(&problem, self.pressing()),

@@ -21,7 +21,8 @@ const OF_MOTION: [LimitKind; 6] = [
 ];
 /// Minimum number of spans for each stride.
 const SPANS: usize = 24;
-/// Permitted RMS force error, relative to the mean, if the design has no limit of its error.
+/// Minimum permitted RMS force error of the law, relative to the mean force. It is also the default if the design has no limit on its force
+/// error.
 const ACCEPTED: f64 = 0.005;
 
 impl Design {

@@ -37,7 +37,7 @@ pub struct OfWalker {
     pub resonance: Vec<AtResonance>,
 }
 
-/// Maximum responses of a mode of 1 kg with a natural frequency of 0.9 to 1.1 of the step frequency.
+/// Maximum responses of a mode of 1 kg. Its natural frequency varies from 0.9 to 1.1 times the step frequency.
 ///
 /// ```
 /// use gaitcam::synth::AtResonance;
@@ -53,7 +53,7 @@ pub struct AtResonance {
     pub recorded: f64,
     /// RMS acceleration under the cam at constant speed, m/s².
     pub mean_stride: f64,
-    /// Ratio of the response to the cam and the response to the recorded walk.
+    /// Response to the cam divided by the response to the recorded walk.
     pub ratio: f64,
     /// Whether the number N of recorded strides is sufficient for this damping ratio: 2π ζ N ≥ 1. With fewer strides, the response to the
     /// recorded walk is overestimated.
@@ -61,15 +61,15 @@ pub struct AtResonance {
 }
 
 impl Design {
-    /// Force of the recorded strides, N, scaled like the target force. `None` unless the cam makes one turn per stride and eight consecutive
-    /// strides of one walker are recorded.
+    /// Force of the recorded strides, N, scaled like the target force. `None` unless the design is feasible, the cam makes one turn per
+    /// stride, and eight consecutive strides of one walker are recorded.
     pub fn walk(&self) -> Option<Walk> {
         let walk = self.force_of_one()?.walk.clone()?;
         Some(walk.scaled(1.0 / self.problem.drive.lever))
     }
 
     /// Force of a generated walk, N. Each step has the shape of the target force, with random duration and amplitude. `None` without a
-    /// target, for fewer than eight strides, or if the cam does not turn once per cycle.
+    /// target, for fewer than eight strides, for an infeasible design, or if the cam does not turn once per cycle.
     ///
     /// ```
     /// use gaitcam::force::StepStatistics;
@@ -82,17 +82,18 @@ impl Design {
     /// # Ok::<(), gaitcam::error::Error>(())
     /// ```
     pub fn generated_walk(&self, statistics: &StepStatistics) -> Option<Walk> {
-        // With a motor the target over the cam angle contains the varying speed of the shaft; a walk is a force over time.
+        // With a motor, the target over the cam angle contains the varying speed of the shaft. The walk is a force over time, so the target
+        // over time is used.
         let target = self.force_of_one().and(self.target_in_time())?;
         let drive = &self.problem.drive;
         let steps = self.problem.steps_per_turn.unwrap_or(2) as f64;
         let step_s = TAU / drive.speed.abs() / steps;
-        // The cycle of the force begins where the angle of the cam is minus the phase.
+        // The cycle of the force begins where the cam angle equals minus the phase.
         let force = |phase: f64| drive.newtons(target.at(TAU * phase / steps - self.problem.phase));
         Walk::generated(step_s, statistics, force)
     }
 
-    /// Target of a single walker for a cam that turns once per cycle; otherwise `None`.
+    /// Target of a single walker, for a feasible design whose cam turns once per cycle; otherwise `None`.
     fn force_of_one(&self) -> Option<&ForceCurve> {
         let law = &self.cam.law;
         let turns = law.is_closed() && law.extent() == (0.0, TAU);

@@ -54,8 +54,9 @@ pub fn point_demands(problem: &Problem, basis: &Basis) -> Result<Vec<Equality>> 
 /// Distance from the boundary of the permitted range, relative to the stroke, below which a lift is on the boundary.
 const TOUCHES: f64 = 1e-12;
 
-/// Implied equality constraints. At a prescribed lift that equals a bound, the velocity is zero; if the acceleration is zero too, so is the
-/// jerk. Without these equalities, the exchange method would add limit rows ever closer to the point, on both sides of it.
+/// Equality constraints that limits and prescribed lifts imply together. At a prescribed lift that equals a bound, the velocity is zero. If
+/// the acceleration is prescribed as zero, the jerk is zero too. Without these equalities, the exchange method would add limit rows at
+/// angles ever closer to the point, on both sides.
 pub fn implied_by_limits(problem: &Problem, search: &Search, basis: &Basis) -> Vec<Equality> {
     let law = &problem.law;
     let dwelt = law.dwells.iter().filter_map(|d| d.lift);
@@ -101,12 +102,12 @@ fn is_smooth(basis: &Basis, angle: f64) -> bool {
     };
     let starts = || space.spans().iter().map(|s| s.start);
     let at_break = starts().any(|x| (x - angle).abs() < 1e-9);
-    // Every break of multiplicity 1 belongs to one function of its own.
+    // If every break has multiplicity 1, the number of basis functions equals the number of spans.
     let plain = space.dimension() == space.spans().len();
     !at_break || plain && space.degree() > 3
 }
 
-/// Name of the condition on a quantity at a point of the law.
+/// Name of an equality constraint on a quantity at a point of the law. `index` counts from 0.
 fn named(index: usize, angle: f64, given: Given) -> Demand {
     Demand::AtPoint {
         point: index + 1,
@@ -115,7 +116,8 @@ fn named(index: usize, angle: f64, given: Given) -> Demand {
     }
 }
 
-/// Equality constraints that make all coefficients of the spans in a dwell equal.
+/// Equality constraints that make all coefficients of the spans in a dwell equal to the given lift. Without a given lift, they make the
+/// coefficients equal to each other.
 pub fn dwell_demands(dwells: &[Dwell], basis: &Basis) -> Vec<Equality> {
     let Basis::Spline { space, .. } = basis else {
         return Vec::new();
@@ -124,7 +126,7 @@ pub fn dwell_demands(dwells: &[Dwell], basis: &Basis) -> Vec<Equality> {
     let mut out: Vec<Equality> = Vec::new();
     for (d, dwell) in dwells.iter().enumerate() {
         let name = Demand::InDwell { dwell: d + 1 };
-        // The list starts at the first span of the dwell, so that adjacent entries are adjacent on the turn.
+        // The list starts at the first span of the dwell. Adjacent entries are therefore adjacent spans, even across the angle 0.
         let mut spans: Vec<usize> = (0..space.spans().len()).collect();
         spans.rotate_left(
             space

@@ -23,7 +23,7 @@ const MOST_DEMANDS: usize = 2000;
 const HARMONIC_NODES: usize = 8;
 /// Number of quadrature nodes per span for the response of a floor.
 const FLOOR_NODES: usize = 16;
-/// Distance, rad, below which the edge of a weighted range and a break coincide.
+/// Distance, rad, below which the edge of a weighted range and a break between spans coincide.
 const SAME_ANGLE: f64 = 1e-12;
 
 /// Program of a spline law without limits, and its force-error objective as a separate term.
@@ -57,7 +57,7 @@ pub fn of_spline(problem: &Problem, search: &Search, spans: usize) -> Result<For
 }
 
 /// Program that fits the force with a given number of harmonics under all convex limits. `unlimited` is the law without limits. If neither
-/// the drive nor a condition fixes the level of the lift, the law touches its base circle at the angle of the minimum of `unlimited`.
+/// the drive nor a condition fixes the level of the lift, the law touches its base circle where `unlimited` has its minimum.
 pub fn of_harmonics(
     problem: &Problem,
     search: &Search,
@@ -83,7 +83,7 @@ pub fn of_harmonics(
     }
 }
 
-/// Convexity α of the objective: its quadratic part is at least ½ α mean(s″²). `None` if no such α > 0 is known.
+/// Convexity α of the objective: its quadratic part is at least ½ α mean(s″²), where s is the lift. `None` if no such α > 0 is known.
 fn stiffness(problem: &Problem) -> Option<f64> {
     let inertia = problem.drive.weights()[2];
     let at_once = problem.through_floor().map_or(1.0, |floor| floor.at_once);
@@ -185,7 +185,7 @@ fn spline_basis(degree: usize, spans: usize, dwells: &[Dwell], smooth: usize) ->
         .sum();
     let mut breaks = vec![0.0];
     let mut multiplicity = Vec::new();
-    // Only the breaks between a dwell and a motion have a reduced smoothness; the splines are C^(degree − 1) at the others.
+    // Only the breaks between a dwell and a motion have a reduced smoothness. At all other breaks, the splines are C^(degree − 1).
     let corner = degree.saturating_sub(smooth).max(1);
     for w in ends.windows(2) {
         let rests_here = resting(0.5 * (w[0] + w[1]));
@@ -248,7 +248,8 @@ fn rests(dwells: &[Dwell]) -> Result<Vec<(f64, f64)>> {
     Ok(out)
 }
 
-/// Force-error objective ½ mean((F − F*)²) over the turn, with the weights of the problem; 0 without a target force.
+/// Force-error objective ½ mean((F − F*)²) over the turn, with the weights of the problem. F is the force of the law and F* the target
+/// force. The objective is 0 without a target force.
 fn force_distance(problem: &Problem, basis: &Basis) -> Quadratic {
     match &problem.target {
         Some(target) if problem.is_weighed() => weighed_distance(problem, basis, target),
@@ -283,7 +284,8 @@ fn mean_square(problem: &Problem, basis: &Basis) -> MeanSquare {
     }
 }
 
-/// Values that the law-dependent part of the force should have at the quadrature nodes of every span: target force minus force at rest, N.
+/// Required values of the law-dependent part of the force at the quadrature nodes of every span, N. They are the target force minus the
+/// force at rest.
 struct Wanted {
     nodes: usize,
     values: Vec<f64>,
@@ -292,7 +294,7 @@ struct Wanted {
 }
 
 impl Wanted {
-    /// Writes the values of one span after the other, in the order of the calls.
+    /// Function that writes the values of the next span at each call.
     fn filling(&self) -> impl FnMut(f64, f64, &[(f64, f64)], &mut [f64]) {
         let mut pieces = self.values.chunks_exact(self.nodes);
         move |_, _, _, out| out.copy_from_slice(pieces.next().unwrap_or_default())
@@ -367,7 +369,7 @@ fn weighed_distance(problem: &Problem, basis: &Basis, target: &Target) -> Quadra
     force
 }
 
-/// Weighted mean square difference between the target and a constant force, N². Four nodes per cell are exact.
+/// Weighted mean square difference between the target and a constant force, N². Four quadrature nodes per cell of the target are exact.
 fn weighed_square(problem: &Problem, target: &Target, rest: f64) -> f64 {
     let count = target.cells().count();
     let cells: Vec<f64> = (0..=count).map(|i| TAU * i as f64 / count as f64).collect();

@@ -1,4 +1,5 @@
-//! Spectral inverse ŝₙ = F̂ₙ/(k + i c n ω − m n²ω²): lift from force, separately for each harmonic n (theory §1).
+//! Spectral inverse ŝₙ = F̂ₙ/(k + i c n ω − m n²ω²), which computes the lift from the force separately for each harmonic n (theory §1). The
+//! spring rate is k, the damping c, the mass m and the shaft speed ω.
 
 use crate::drive::{Drive, RESONANCE};
 use crate::error::{Placed, Result, SynthError};
@@ -14,7 +15,7 @@ use crate::synth::qp::Basis;
 /// use gaitcam::scene;
 /// use gaitcam::synth::invert;
 ///
-/// // Under pure inertia ŝ₁ = F̂₁/(−m ω²).
+/// // For a pure inertia, ŝ₁ = F̂₁/(−m ω²).
 /// let force = scene::built_in("footbridge")?.scene()?.model_force()?.unwrap();
 /// let drive = Drive::moving_axis(70.0, 9.81, 10.0);
 /// let target = Target::new(force);
@@ -29,20 +30,20 @@ pub struct Spectral {
     pub x: Vec<f64>,
     /// Number of harmonics of the law.
     pub count: usize,
-    /// RMS force of the omitted harmonics, N.
+    /// Root mean square of the omitted force harmonics, N.
     pub left_over: f64,
 }
 
 impl Spectral {
-    /// The law of these coefficients. The mean lift follows from the mean force and the drive. It is zero if the force does not depend on the
-    /// mean lift.
+    /// Harmonic law with these coefficients. The mean lift follows from the mean force and the drive. It is zero if the force does not
+    /// depend on the mean lift.
     pub fn law(&self) -> Law {
         let count = self.count;
         Law::of(&Basis::Harmonic { count }, &self.x)
     }
 }
 
-/// Law whose first `count` harmonics of the force equal those of the target. Without `count`, it has the minimum number of harmonics for which
+/// Law whose force has the same first `count` harmonics as the target. Without `count`, it has the minimum number of harmonics for which
 /// the RMS of the omitted force is at most `wanted`, N.
 ///
 /// # Errors

@@ -50,7 +50,7 @@ pub fn law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     }))
 }
 
-/// Result of the closed form by harmonics.
+/// Result of the harmonic law in closed form.
 enum ClosedForm {
     /// The cam of this law passes every check, so the law is the optimum (theory §1).
     Passes(Box<SolvedLaw>),
@@ -58,7 +58,7 @@ enum ClosedForm {
     Missed(Option<PassedOver>),
 }
 
-/// Name of the closed form by harmonics in [`PassedOver`].
+/// Name of the harmonic closed form in [`PassedOver`].
 const FAMILY: &str = "inverse-by-harmonics";
 
 /// Harmonic law in closed form, or the requirement that this law does not satisfy.
@@ -68,7 +68,7 @@ fn closed_form(problem: &Problem) -> Result<ClosedForm> {
     }
     let missed = |miss| Ok(ClosedForm::Missed(Some(miss)));
     let (family, wanted) = (FAMILY, problem.wanted_error());
-    // At a resonance, a spline may still be feasible: it distributes the force of the missing harmonic.
+    // At a resonance, a spline may still be feasible, because it distributes the force of the missing harmonic.
     let (law, left_over) = match inverted(problem, problem.law.harmonics, wanted) {
         Ok(found) => found,
         Err(fault) => {
@@ -100,8 +100,8 @@ fn closed_form(problem: &Problem) -> Result<ClosedForm> {
     })
 }
 
-/// Whether harmonics can be used, because the objective is the force error and there are no conditions on the law. Conditions and other
-/// objectives require a spline.
+/// Whether harmonics can be used. This requires a target force, the force error without weights as objective, and no conditions on the law.
+/// Conditions, weights and other objectives require a spline.
 fn suits(problem: &Problem) -> bool {
     let law = &problem.law;
     problem.target.is_some()

@@ -17,7 +17,8 @@ use crate::units::Quantity;
 /// Difference between first and last lift, relative to the length scale, below which the law counts as closed.
 const SAME_LIFT: f64 = 1e-9;
 
-/// Polynomial law of a problem. The monomial coefficients in (θ − θ₀)/β are used only for output.
+/// Polynomial law of a problem. The monomial coefficients in (θ − θ₀)/β are used only for output. θ₀ is the angle of the first point, and β
+/// the angle from the first to the last point.
 ///
 /// # Errors
 ///

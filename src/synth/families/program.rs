@@ -14,7 +14,7 @@ use crate::synth::report::solver::{SolverReport, Tier};
 ///
 /// # Errors
 ///
-/// The segments do not cover the extent of the cam.
+/// The sum of the segment angles (or lengths) differs from the extent of the cam.
 pub fn program_law(problem: &Problem) -> Result<SolvedLaw> {
     let segments: Vec<Segment> = problem
         .law

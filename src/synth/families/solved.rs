@@ -15,15 +15,15 @@ use crate::synth::report::solver::SolverReport;
 /// A law with the method of its solution, before the cam is determined.
 #[derive(Clone)]
 pub struct SolvedLaw {
-    /// The law as its family computes it, before it is shifted to the base circle.
+    /// The law as computed for its family, before its minimum is shifted to the base circle.
     pub law: Law,
     /// Family of the law.
     pub family: Family,
     /// Degree of the polynomials for display; 0 for laws without polynomials.
     pub degree: usize,
-    /// Sufficient number of spans of a spline, not counting the dwells; 0 for other families.
+    /// Sufficient number of spans of a spline without the dwells; 0 for other families.
     pub spans: usize,
-    /// Basis functions of the coefficients.
+    /// Basis functions to which the coefficients belong.
     pub functions: Functions,
     /// Parameters of the law, as in `summary.json`.
     pub coefficients: Vec<f64>,
@@ -81,8 +81,8 @@ fn circle(solution: &Solution) -> PrimeCircle {
     }
 }
 
-/// Fraction of the maximum multiplier of a limit below which a row counts as inactive. Such small multipliers are rounding errors of the
-/// interior-point method.
+/// Fraction of the maximum multiplier of a limit, below which a row of this limit counts as inactive. Such small multipliers are rounding
+/// errors of the interior-point method.
 const BINDS: f64 = 1e-6;
 
 /// Active limits for display. Active rows of one limit within half a span are combined.

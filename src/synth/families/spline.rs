@@ -53,8 +53,8 @@ enum Spans {
     AtLeast(usize, f64),
 }
 
-/// Optimum with the number of spans in the scene, or with an automatic number. The second value is the sufficient number of spans, which may be
-/// smaller than the number of the returned optimum.
+/// Optimum with the number of spans in the scene, or with an automatic number. The second value is the sufficient number of spans. The
+/// returned optimum may have more spans.
 fn fit(problem: &Problem, search: &Search) -> Sought<(Optimum, usize)> {
     let optimum = match spans(problem, search)? {
         Spans::Given(spans) => solve(problem, search, spans)?,

@@ -13,7 +13,7 @@ use crate::synth::report::limited::{Conflicting, Infeasible, Relaxation};
 use crate::synth::report::reason::Reason;
 
 /// Maximum number of equalities for which a minimal set is searched, because the search solves a program for each equality. If there are
-/// more, all are reported.
+/// more equalities, all of them are reported.
 const MOST_DEMANDS: usize = 64;
 
 /// Relative violation above which a solution does not satisfy a limit.
@@ -35,7 +35,7 @@ pub fn explain(problem: &Problem, refusal: &Refusal) -> Infeasible {
         Failure::Infeasible => {
             let mut limits = conflicting_limits(problem, refusal);
             if let Some(nonconvex) = &refusal.nonconvex {
-                // Conditions and convex limits have a common law, which was computed first.
+                // A law that satisfies the conditions and the convex limits was computed first.
                 if limits.is_empty() {
                     limits = nonconvex.names();
                 }
@@ -115,7 +115,7 @@ fn conflicting_limits(problem: &Problem, refusal: &Refusal) -> Vec<Criterion> {
             refusal.nonconvex.as_ref().map(|b| b.only(stays)),
         )
     };
-    // If no law is found without any limit, the limits are not the cause.
+    // If no law is found without these limits, the limits are not the cause.
     if holds(&[]) != Some(true) {
         return Vec::new();
     }
@@ -149,7 +149,7 @@ fn unlimit(limit: &mut RmsLimit) {
     limit.most = f64::INFINITY;
 }
 
-/// Whether a row comes from a limit value of the scene. The result is `false` for the base circle, a monotone flank and a minimised peak.
+/// Whether a limit has its value in the scene. The result is `false` for the base circle, a monotone flank and a minimised peak.
 fn is_asked(limit: &Limit) -> bool {
     limit.meaning != Meaning::Structure && !limit.is_peak()
 }
@@ -165,7 +165,7 @@ fn can_hold(
         None => program.solve(),
     };
     match solution {
-        // A solution that the exchange of rows did not bring within the limits is not a feasible law.
+        // If the exchange of rows ended with a violated limit, the solution is not a feasible law.
         Ok(own) if own.violation > BROKEN => Some(false),
         Ok(own) => Some(nonconvex.is_none_or(|limits| {
             let start = at_own_size(problem, program, &own).unwrap_or(own);
@@ -176,8 +176,8 @@ fn can_hold(
     }
 }
 
-/// Law with the minimum root mean square of the limited quantity. An error if this minimum exceeds its limit, since then no law satisfies the
-/// limit.
+/// Law with the minimum root mean square of the limited quantity. The result is an error if this minimum exceeds its limit, because then no
+/// law satisfies the limit.
 fn of_least(program: &Program, limit: &RmsLimit) -> Result<Solution, Failure> {
     let mut least = program
         .of_least_rms(limit.name)
@@ -188,7 +188,8 @@ fn of_least(program: &Program, limit: &RmsLimit) -> Result<Solution, Failure> {
     holds.then_some(own).ok_or(Failure::Infeasible)
 }
 
-/// Infeasibility for an automatic size: the minimum base circle around the bore exceeds the limit on the prime radius. `None` if it does not.
+/// Conflict of bore and prime radius for an automatic size. The minimum base circle around the bore exceeds the limit on the prime radius.
+/// `None` if there is no such conflict.
 pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
     let (bore, limit) = (problem.cam.bore?, problem.limits[LimitKind::PrimeRadius]?);
     let least = problem.outside_bore() + problem.cam.roller_radius;
@@ -204,7 +205,8 @@ pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
     Some(in_conflict(&conflict, relaxations))
 }
 
-/// Relaxation of the accuracy to the minimum force error under the other limits; `None` if `name` is not the accuracy.
+/// Relaxation of a limit on a root mean square (accuracy or mean power) to its minimum under the other limits. `None` if `name` is not such
+/// a limit.
 fn best_accuracy(program: &Program, name: Criterion) -> Option<Relaxation> {
     let limit = program.rms.iter().find(|l| l.name == name)?;
     let best = program.of_least_rms(name)?.solve().ok();
@@ -214,8 +216,8 @@ fn best_accuracy(program: &Program, name: Criterion) -> Option<Relaxation> {
 }
 
 /// Minimum relaxation of one limit with which the program is feasible. It is computed by minimising the bound of this limit under the other
-/// limits. `None` for a limit that is not a value of the scene. The complete design may require a larger change; `relaxation` starts from
-/// this value.
+/// limits. `None` for a limit that is not a value of the scene. The complete design may require a larger change. The search in the module
+/// `relaxation` starts from this value.
 fn elastic(program: &Program, name: Criterion) -> Option<Relaxation> {
     let mut elastic = program.clone();
     let nothing = Quadratic::zero(&elastic.basis);

@@ -13,7 +13,8 @@ use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 const INTERFERENCE_POINTS: usize = 360;
 /// Depth of interference, relative to the prime radius, up to which the interference counts as a rounding error.
 const TOUCH: f64 = 1e-6;
-/// Weights of a limit on −(s + a). The radius of curvature under a flat face is Rb + s + a (theory §6).
+/// Weights of a limit on −(s + a), with the lift s and its second derivative a. The radius of curvature under a flat face is Rb + s + a
+/// (theory §6).
 const BEND: [f64; 5] = [-1.0, 0.0, -1.0, 0.0, 0.0];
 
 /// Limit Rb + s + a ≥ ρ for a flat face. The base radius Rb is given, or it is a variable of the program (`is_sized`).
@@ -58,9 +59,9 @@ pub fn roller_slack(at: Svaj, size: ProfileSize) -> Slack {
     }
 }
 
-/// Clearance h = W^{3/2}/ρ − K of the curvature limit for a roller on an arm, where ρ is the minimum radius of curvature of the pitch curve,
-/// A the arm length, c the pivot distance, and ξ the arm angle. With q = 1 + ξ′, W = A²q² − 2cAq cos ξ + c² and K = A²q³ − cAq(1 + q) cos ξ −
-/// cAξ″ sin ξ + c².
+/// Clearance h = W^{3/2}/ρ − K of the curvature limit for a roller on an arm. Here ρ is the minimum radius of curvature of the pitch curve,
+/// A the arm length, c the pivot distance, ξ the arm angle, and q = 1 + ξ′. The terms are W = A²q² − 2cAq cos ξ + c² and K = A²q³ − cAq(1 +
+/// q) cos ξ − cAξ″ sin ξ + c².
 pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, rho: f64) -> Slack {
     let (sin, cos) = libm::sincos(rest + at.s);
     let (s, p, q) = (arm * sin, arm * cos, 1.0 + at.v);
@@ -81,7 +82,7 @@ pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, rho: f64) -> Slack {
 }
 
 /// Clearance h = (ρ_face − ρ) q³ of a flat face on an arm, with the face angle ξ and q = 1 + ξ′. The minimum permitted radius is ρ. The
-/// radius of curvature ρ_face is that of theory §6 and includes the offset of the face.
+/// radius of curvature ρ_face is defined in theory §6 and includes the offset of the face.
 pub fn face_slack(at: Svaj, c: f64, offset: f64, rest: f64, rho: f64) -> Slack {
     let (sin, cos) = libm::sincos(rest + at.s);
     let q = 1.0 + at.v;
@@ -98,13 +99,13 @@ pub fn face_slack(at: Svaj, c: f64, offset: f64, rest: f64, rho: f64) -> Slack {
     }
 }
 
-/// Checks of the convex and concave radii of curvature of a profile. A negative convex radius is always an error, because the profile then
-/// intersects itself.
+/// Checks of the convex and concave radii of curvature of a profile. A negative convex radius always fails the check, because the profile
+/// then intersects itself.
 pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let curvature = cam.curvature();
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     let mut convex = Check::of(LimitKind::Curvature, curvature.convex, wanted, GEOMETRY);
-    // The smallest cam with a permitted cusp has a radius of zero up to rounding errors relative to its size.
+    // On the smallest cam with a permitted cusp, the radius of curvature is zero up to rounding errors relative to the size of the cam.
     let rounding = GEOMETRY * cam.follower.prime_radius();
     convex.pass |= wanted == 0.0 && curvature.convex.value.abs() <= rounding;
     convex.pass &= !curvature.undercut || curvature.convex.value.abs() <= rounding;
@@ -118,8 +119,8 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     out
 }
 
-/// Check of the interference of roller or face with other parts of the profile. `None` if interference is impossible, as for a translating flat
-/// face on a convex cam, and for an undercut profile.
+/// Check of the interference of roller or face with other parts of the profile. `None` if interference is impossible, as for a translating
+/// flat face on a convex cam. `None` also for a barrel and for an undercut profile.
 pub fn interference(cam: &Cam) -> Option<Check> {
     match cam.follower {
         Follower::FlatTranslating { .. } | Follower::Barrel { .. } => return None,

@@ -91,7 +91,7 @@ pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     }
 }
 
-/// Limit s ≤ `bound` on the lift.
+/// Limit s ≤ `bound` on the lift s, m or rad.
 fn lift(problem: &Problem, bound: f64) -> Limit {
     structural(LimitKind::Diameter, only(0, 1.0), bound, problem.length())
 }

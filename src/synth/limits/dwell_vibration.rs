@@ -17,8 +17,8 @@ use crate::synth::qp::{Basis, Entries, Row, TOLERANCE, apply};
 
 /// Relative violation below which the limit counts as satisfied.
 const SLACK: f64 = 1e-6;
-/// Fraction of the deflections that is the minimum scale for a violation. The vibration is a difference of deflections and contains the
-/// rounding errors of the deflections.
+/// Minimum scale of a violation, as a fraction of the deflections. The vibration is a difference of deflections and contains the rounding
+/// errors of the deflections.
 const CANCELLED: f64 = 1e-4;
 
 /// Check of the residual vibration of the finished cam. For a polydyne cam, the deviation of the follower's end from its law is checked.
@@ -71,12 +71,12 @@ fn motions(rests: &[(f64, f64)]) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// Free vibration of the follower as a function of the angle. After the angle φ, the state (q, p) = (1, 0) has become (C + ζS, −S) with the
-/// functions of `waves`.
+/// Free vibration of the follower as a function of the angle. Over the angle φ, the state (q, p) = (1, 0) becomes (C + ζS, −S) with the
+/// functions C and S of `waves`.
 struct Free {
     /// Frequency ratio r = √(K/m)/ω.
     rate: f64,
-    /// Damping ratio ζ of all dampers.
+    /// Damping ratio ζ of all dampers together.
     damping: f64,
 }
 
@@ -98,7 +98,7 @@ impl Free {
         [0.5 * (slow + fast), 0.5 * (slow - fast) / root]
     }
 
-    /// State matrix e^{A φ} over the angle φ, with A = r (0 1; −1 −2ζ).
+    /// State transition matrix e^{A φ} over the angle φ, with A = r (0 1; −1 −2ζ).
     fn carried(&self, angle: f64) -> [[f64; 2]; 2] {
         let ([c, s], z) = (self.waves(angle), self.damping);
         [[c + z * s, s], [-s, c - z * s]]
@@ -171,6 +171,7 @@ impl Vibrations {
 }
 
 /// Vibration after one interval of motion that begins at rest: (q, p) = ∫ e^{A(θ₁ − θ)} (1, 0) F′(θ)/K dθ, as rows over the coefficients.
+/// θ₁ is the end of the interval, F′ the derivative of the static force, and K the total stiffness. The matrix A is defined at `carried`.
 fn of_motion(basis: &Basis, motion: (f64, f64), free: &Free, gained: &[f64; 4]) -> [Vec<f64>; 2] {
     let mut out = [vec![0.0; basis.columns()], vec![0.0; basis.columns()]];
     for (theta, weight) in quadrature(&basis.breaks(), motion, free.rate) {
@@ -205,11 +206,12 @@ fn quadrature(breaks: &[f64], (from, to): (f64, f64), rate: f64) -> Vec<(f64, f6
     out
 }
 
-/// Vibrations z = (q, p) at the starts of the dwells in the steady state, from zₖ = e^{A(θₖ − θₖ₋₁)} zₖ₋₁ + rₖ around the turn. At an
-/// undamped resonance there is no steady state, and the vibration after each interval of motion from rest is returned.
+/// Vibrations z = (q, p) at the starts of the dwells in the steady state, from zₖ = e^{A(θₖ − θₖ₋₁)} zₖ₋₁ + rₖ around the turn. Dwell k
+/// starts at θₖ, and rₖ is the vibration that the motion before this dwell causes from rest. At an undamped resonance there is no steady
+/// state, and the vibration after each interval of motion from rest is returned.
 fn steady(rests: &[(f64, f64)], own: Vec<[Vec<f64>; 2]>, free: &Free) -> Vec<[Vec<f64>; 2]> {
     let n = rests.len();
-    // own[k] ends at the start of rest k + 1.
+    // own[k] is the vibration at the start of dwell k + 1.
     let end = |k: usize| (k + 1) % n;
     let apart = |k: usize| {
         let turn = if k + 1 == n { TAU } else { 0.0 };
@@ -226,7 +228,7 @@ fn steady(rests: &[(f64, f64)], own: Vec<[Vec<f64>; 2]>, free: &Free) -> Vec<[Ve
             to.iter_mut().zip(more).for_each(|(a, b)| *a += b);
         }
     };
-    // One turn from rest at the start of dwell 0.
+    // Vibration after one turn that begins at rest at the start of dwell 0.
     let mut around = [vec![0.0; own[0][0].len()], vec![0.0; own[0][0].len()]];
     for (k, left) in own.iter().enumerate() {
         around = moved(&free.carried(apart(k)), &around);

@@ -8,7 +8,7 @@ use crate::synth::report::force::ForceReport;
 
 /// Relative tolerance of the check of a limit that the program enforces: twice the tolerance of the program.
 pub const SLACK: f64 = 2.0 * TOLERANCE;
-/// Relative tolerance of a size that was found by bisection or as a root, because of rounding errors.
+/// Relative tolerance for the rounding errors of a size that was computed by bisection or as a root.
 pub const GEOMETRY: f64 = 1e-8;
 
 /// A finished design whose limits are checked.

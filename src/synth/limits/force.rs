@@ -10,7 +10,7 @@ use crate::synth::qp::{
     Limit, MeanSquare, Meaning, PEAK, Program, RmsLimit, TOLERANCE, structural,
 };
 
-/// Limits on the minimum and maximum force.
+/// Limits on the minimum and maximum contact force over the turn.
 pub fn rows(problem: &Problem) -> Vec<Limit> {
     let [s, v, a, _] = problem.drive.weights();
     let rest = problem.drive.rest_force;
@@ -46,7 +46,7 @@ pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> 
     let rest = problem.drive.rest_force;
     let scale = target.mean_n().abs().max(f64::MIN_POSITIVE);
     let mut out = Vec::new();
-    // Row of one side: ±(F₀ + w·svaj) ≤ ±edge(θ) + bound
+    // Limit on one side of the target: ±(F₀ + w·svaj) ≤ ±edge(θ) + bound, with the force at rest F₀.
     let mut side = |name: Criterion, sign: f64, edge: &ForceCurve, meaning: Meaning| {
         program.shapes.push(PiecewisePoly::combine(
             &[(sign, &piecewise(edge))],
@@ -59,7 +59,7 @@ pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> 
         }
     };
     if let Some([low, high]) = &problem.band {
-        // Displayed as the mean half width of the band.
+        // The bound is displayed as the mean half width of the band.
         let half_width = Meaning::Value {
             factor: 1.0,
             offset: 0.5 * (high.mean_n() - low.mean_n()),
@@ -87,7 +87,7 @@ pub fn accuracy(problem: &Problem, half: impl FnOnce() -> MeanSquare) -> Option<
     })
 }
 
-/// Magnitude of a negative contact force, relative to the maximum absolute force, up to which it counts as a rounding error.
+/// Maximum magnitude of a negative contact force that counts as a rounding error, relative to the maximum absolute force.
 const TOUCHES: f64 = 1e-7;
 
 /// Checks of the minimum and maximum force. Without a minimum force in the scene, the default minimum is checked, which ensures contact.

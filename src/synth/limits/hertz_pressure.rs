@@ -18,8 +18,9 @@ use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 /// pressure, so the cam is not enlarged.
 const WORTH_GROWING: f64 = 0.95;
 
-/// Pressure limit for a flat face, F ≤ π L p²/E*·(Rb + s + a), which is linear in law and base radius together. If `is_sized` is true, the base
-/// radius is a variable of the program.
+/// Pressure limit for a flat face, F ≤ π L p²/E*·(Rb + s + a), which is linear in law and base radius Rb together. F is the contact force,
+/// L the contact length, E* the contact modulus, s the lift and a its second derivative. If `is_sized` is true, the base radius is a
+/// variable of the program.
 pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     if !is_sized {
         return pressed(problem, problem.base_radius()?);
@@ -101,13 +102,13 @@ impl Pressure {
         let bend = w + at.v * y - at.a * x;
         let gap = w * root - self.roller * bend;
         let q = self.most * self.most * self.spread * self.roller;
-        // Derivatives with respect to X, Y, v and a of the geometry alone.
+        // Partial derivatives of h with respect to X, Y, v and a, for a constant contact force.
         let by_x =
             q * (gap + x * (3.0 * root * x - self.roller * (2.0 * x - at.a))) - force * 4.0 * w * x;
         let by_y = q * x * (3.0 * root * y - self.roller * (2.0 * y + at.v)) - force * 4.0 * w * y;
         let by_v = -q * x * self.roller * y;
         let by_a = q * x * self.roller * x;
-        // h in units of q X w^{3/2}, which depend little on the size of the cam.
+        // Scale q X w^{3/2} of h. The ratio of h to this scale depends little on the size of the cam.
         let unit = q * size.rise.max(size.rho) * w * root;
         Slack {
             h: q * x * gap - force * w * w,

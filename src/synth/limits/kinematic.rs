@@ -14,17 +14,18 @@ const DIP: f64 = 1e-7;
 /// Depth below the base circle, m or rad, that counts as zero. It is the tolerance of the program for a lift of a centimetre.
 const NO_LIFT: f64 = 1e-11;
 
-/// Limit s ≥ 0, which keeps the law above its base circle. `None` if nothing fixes the level of the lift and no limit depends on this level.
+/// Limit s ≥ 0 on the lift s, which keeps the law above its base circle. `None` if nothing fixes the level of the lift and no limit depends
+/// on this level.
 pub fn base_circle(problem: &Problem) -> Option<Limit> {
     let stroke = problem.limits[LimitKind::Stroke];
     let scale = stroke.map_or(problem.length(), |h| h.min(problem.length()));
     let limit = structural(Criterion::BaseCircle, only(0, -1.0), 0.0, scale);
-    // Limits on the height of the law are measured from the base circle.
+    // Limits on stroke and diameter are measured from the base circle.
     let is_limited = stroke.is_some() || problem.limits[LimitKind::Diameter].is_some();
     (problem.level_is_known() || is_limited).then_some(limit)
 }
 
-/// Limit s ≥ 0, which keeps the law above its base circle, for every problem.
+/// Limit s ≥ 0 on the lift s, which keeps the law above its base circle. It is returned for every problem.
 pub fn above_base_circle(problem: &Problem) -> Limit {
     structural(Criterion::BaseCircle, only(0, -1.0), 0.0, problem.length())
 }

@@ -1,5 +1,5 @@
-//! Load limits that are not convex in the law: torque, torque rate and power of the shaft, and the Hertz pressure under a roller. Each limit
-//! has the form h(s, v, a, j, D, e) ≥ 0 (symbols as in `slack`), with the partial derivatives of h.
+//! Load limits that are not convex in the law: torque, torque rate and power of the shaft, and the Hertz pressure under a roller. Each
+//! limit has the form h(s, v, a, j, D, e) ≥ 0 (symbols as in `slack`), with the partial derivatives of h. F is the contact force.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -23,7 +23,7 @@ pub struct Loads {
     pub drive: Drive,
     /// Force, N, that a varying speed or a floor adds; `None` for a rigid machine at constant speed.
     pub on_shaft: Option<Arc<OnShaft>>,
-    /// Maximum |F v|, N·m.
+    /// Maximum torque |F v|, N·m, with the contact force F and the derivative v of the lift with respect to the cam angle.
     pub torque: Option<f64>,
     /// Maximum |F v| that corresponds to the limit on the power at the mean speed, N·m.
     pub power: Option<f64>,
@@ -34,7 +34,7 @@ pub struct Loads {
 }
 
 impl Loads {
-    /// Nonconvex load limits of a problem; `None` if there are none. The pressure is included if the profile is that of a translating roller cam
+    /// Nonconvex load limits of a problem; `None` if there are none. The pressure limit is included if the follower is a translating roller
     /// (`under_roller`).
     pub fn of(problem: &Problem, under_roller: bool) -> Option<Loads> {
         let limits = &problem.limits;

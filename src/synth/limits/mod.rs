@@ -45,9 +45,9 @@ use crate::scene::Minimise;
 /// Adds the convex limits of a problem to a program. These are the limits over the whole turn, the limits on root mean squares, and the limits
 /// on a size that is a variable. A law of harmonics has no conditions, and its only objective is the force error.
 ///
-/// If no condition fixes the level of the lift, limits on the profile use the lift minus its value at the touching angle, where the law
-/// touches the base circle. A varying shaft speed or a moving floor adds a function of the angle to a limited quantity. The bound is reduced
-/// by this function. `force_error` computes half the mean square of the force error.
+/// If no condition fixes the level of the lift, the law touches the base circle at the touching angle. Limits on the profile then use the
+/// lift minus its value at this angle. A varying shaft speed or a moving floor adds a function of the angle to a limited quantity. The
+/// bound is reduced by this function. `force_error` computes half the mean square of the force error.
 pub fn constrain(
     problem: &Problem,
     search: &Search,
@@ -163,8 +163,8 @@ fn second_cam(problem: &Problem, second: Option<&Cam>) -> Vec<Check> {
     out
 }
 
-/// Checks of pressure angle and convex walls of the groove of a barrel. They are made at the floor of the groove, where pressure angle and
-/// curvature are largest.
+/// Checks of pressure angle and convex walls of the groove of a barrel. The checks apply to the floor of the groove, where pressure angle
+/// and curvature are largest.
 fn groove(problem: &Problem, groove: Option<&BarrelGroove>) -> Vec<Check> {
     let Some(groove) = groove else {
         return Vec::new();

@@ -49,7 +49,7 @@ impl NonconvexLimits {
         out
     }
 
-    /// Size of the cam for the limits of the profile; all values are 0 without such limits.
+    /// Size of the cam for the limits of the profile. Without such limits, all values are 0.
     pub fn size(&self) -> ProfileSize {
         self.profile.map(|f| f.size()).unwrap_or_default()
     }
@@ -94,7 +94,7 @@ impl NonconvexLimits {
 pub fn relative(law: &Law, limits: &NonconvexLimits) -> Vec<PiecewisePoly> {
     let own = law.breaks();
     let on_shaft = limits.loads.as_ref().and_then(|l| l.on_shaft.as_ref());
-    // The terms of a varying speed are smooth between their own breaks.
+    // The force that a varying speed adds is smooth only between its own breaks, so these breaks are included.
     let extra = on_shaft.map(|shaft| law.poly().cut_at(shaft.extra.force.breaks()));
     let breaks = extra.as_ref().map_or(own, |cut| cut.breaks());
     let pieces: Vec<usize> = (breaks.windows(2))

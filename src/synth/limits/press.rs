@@ -11,9 +11,10 @@ use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly, bernstein, stand_in};
 use crate::problem::{Problem, sum};
 
-/// Maximum number of iterations for the maximum of F/ρ; three or four are usual.
+/// Maximum number of iterations for the maximum of F/ρ, the quotient of contact force and radius of curvature. Usually three or four
+/// iterations are sufficient.
 const ROUNDS: usize = 40;
-/// Relative increase of F/ρ below which the iteration has converged.
+/// Relative increase of the quotient F/ρ below which the iteration has converged.
 const SETTLED: f64 = 1e-14;
 
 /// Data for the Hertz pressure: force, law that determines the force, and dimensions of the contact.
@@ -108,7 +109,7 @@ impl<'a> Press<'a> {
         let factor = self.factor();
         let own = cam.law.breaks();
         let alike = self.law.breaks() == own;
-        // The added force is smooth between its own breaks.
+        // The added force is smooth only between its own breaks, so these breaks are included.
         let cut = self
             .extra
             .map(|extra| cam.law.poly().cut_at(extra.breaks()));
@@ -162,8 +163,8 @@ impl<'a> Press<'a> {
         })
     }
 
-    /// Maximum pressure on the walls of a groove, Pa, at its floor and its rim. A wall counts where its roller is loaded. `None` if a wall is
-    /// undercut.
+    /// Maximum pressure on the walls of a groove, Pa, at its floor and its rim. Each wall is included at the angles where its roller is
+    /// loaded. `None` if a wall is undercut.
     fn in_groove(&self, cam: &Cam, groove: &BarrelGroove) -> Option<Extreme> {
         let (floor, rim) = groove.depth();
         let walls = [(Wall::Lower, 1.0), (Wall::Upper, -1.0)];
@@ -225,7 +226,7 @@ fn groove_contact(
     (force * length, 1.0 / (roller * (1.0 - roller * bulge)))
 }
 
-/// Position and value of the maximum of F/ρ at the ends of the spans, as the initial value of the iteration.
+/// Maximum of F/ρ at the ends of the spans, with its position. The iteration starts from this value.
 fn highest_at_ends(force: &PiecewisePoly, radius: &PiecewisePoly) -> (f64, f64) {
     let mut highest = (force.breaks()[0], f64::NEG_INFINITY);
     for (piece, ends) in force.breaks().windows(2).enumerate() {

@@ -22,9 +22,9 @@ const SIGNS: [f64; 2] = [1.0, -1.0];
 /// offset, and D is the height of the roller centre at s = 0. The constraint with m = 1 limits the pressure angle over the whole turn. The
 /// constraint with m = 0 is the condition at a reversal of the follower (v = 0).
 ///
-/// While the follower moves in the direction of a side, the constraint of this side limits |φ|. At a reversal both limits apply, so that |e|
-/// ≤ tan φ·(s + D) with the smaller tangent. Between the reversals, a pressure angle φ of the opposite sign is therefore within its limit
-/// too.
+/// While the follower moves in the direction of a side (rise or fall), the constraint of this side limits |φ|. At a reversal both limits
+/// apply, so that |e| ≤ tan φ·(s + D) with the smaller tangent. Between the reversals, a pressure angle φ of the opposite sign is therefore
+/// within its limit too.
 #[derive(Debug, Clone, Copy)]
 pub struct AngleRow {
     /// Name of the limit.
@@ -65,7 +65,7 @@ impl AngleRow {
         structural(self.name, [-self.tan, velocity, 0.0, 0.0, 0.0], 0.0, scale)
     }
 
-    /// The limit for a given prime circle and the offset `e`, m.
+    /// The limit for a prime circle of radius `prime` and the offset `e`, m.
     fn on_circle(self, prime: f64, e: f64) -> Limit {
         let (tan, offset) = (self.tan, self.side * e);
         let rise = (prime * prime - e * e).max(0.0).sqrt();
@@ -117,7 +117,7 @@ pub fn rows(problem: &Problem, is_sized: bool) -> Vec<Limit> {
 }
 
 /// Clearance h = t c sin ξ ∓ (A(1 + m ξ′) − c cos ξ) of the pressure-angle limit for a roller on an arm. Here t is the tangent of the
-/// permitted angle, A the arm length, c the pivot distance, and ξ the arm angle.
+/// permitted angle, A the arm length, c the pivot distance, and ξ the arm angle. The factor m is defined at [`AngleRow`].
 pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, row: AngleRow) -> Slack {
     let (sin, cos) = libm::sincos(rest + at.s);
     let (tan, side) = (row.tan, row.side);
@@ -132,8 +132,8 @@ pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, row: AngleRow) -> Slack 
     }
 }
 
-/// Default bounds of the pressure angle, rad, for a side without a limit. The first applies to any machine, the second only to slow machines.
-/// The values are those of CAM-DAS (Serrano Muñoz 2010). `None` for a flat face, or if the scene switches the check off.
+/// Default bounds of the pressure angle, rad, for a side without a limit. The first bound applies to any machine, the second bound only to
+/// slow machines. The values are taken from CAM-DAS (Serrano Muñoz 2010). `None` for a flat face, or if the scene switches the check off.
 pub fn usual_pressure_angle(problem: &Problem) -> Option<[f64; 2]> {
     if problem.limits.unjudged.pressure_angle {
         return None;

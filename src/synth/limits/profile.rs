@@ -13,7 +13,7 @@ pub const SHARP: f64 = 1e-6;
 /// Dimensions of a follower whose profile has nonconvex limits, m.
 #[derive(Debug, Clone, Copy)]
 pub enum Profile {
-    /// Roller that translates along +y.
+    /// Roller, arc or sharp edge that translates along +y.
     Roller(ProfileSize),
     /// Roller on an arm of length A, with the pivot at distance c from the cam centre.
     Arm {

@@ -34,7 +34,7 @@ pub fn priced(problem: &Problem, program: &mut Program) -> Vec<Limit> {
         limits.push(at_least(problem, least, RADIUS));
         program.cost[RADIUS] = cost;
     } else if let Some(offset) = problem.offset() {
-        // With a given offset, the prime radius is a function of D alone; its cost is not the cost of D.
+        // With a given offset, the prime radius increases with D. Minimising D therefore minimises the prime radius.
         let rise = |r: f64| (r * r - offset * offset).max(0.0).sqrt();
         limits.extend(limit.map(|r| at_most(problem, rise(r), RISE)));
         limits.push(at_least(problem, rise(least), RISE));

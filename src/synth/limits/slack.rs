@@ -1,5 +1,5 @@
 //! Clearance of a nonconvex limit at one point of the law: h(s, v, a, j, D, e, Rp) ≥ 0, with the partial derivatives of h. Here s is the
-//! lift, v, a and j are its derivatives with respect to the cam angle, D is the height of the roller centre at s = 0, e the offset, and Rp
+//! lift. Its derivatives with respect to the cam angle are v, a and j. D is the height of the roller centre at s = 0, e the offset, and Rp
 //! the prime radius.
 
 use crate::cam::Criterion;

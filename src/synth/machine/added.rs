@@ -12,12 +12,13 @@ use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, bernstein};
 use crate::problem::{Extra, Problem};
 
-/// Number of equal parts into which the turn is divided, in addition to the breaks of the law, if the layout is exact.
+/// Number of equal parts into which the turn is divided, in addition to the breaks of the law. This number applies if the layout is exact
+/// (see [`Layout::new`]).
 const PARTS: usize = 48;
 const FEW: usize = 24;
 const DEGREE: usize = 5;
 const NODES: usize = DEGREE + 1;
-/// Minimum length of a part, relative to an equal part.
+/// Minimum distance of an equally spaced break from a break of the law, relative to the length of an equal part.
 const SHORTEST: f64 = 0.3;
 /// Number of equally spaced cam angles at which the state vector contains the time, as a phase of the period, rad.
 const ANGLES: usize = 240;

@@ -4,9 +4,9 @@
 //! of the motor determines the speed ω(θ). At this varying speed, the same motion in time corresponds to another law over the cam angle. The
 //! target force causes the floor acceleration z″, which is computed by one linear response per harmonic.
 //!
-//! If ω(θ) and z″(θ) are known, the force is linear in the law ([`crate::problem`]). The program is then solved again with the machine motion
-//! of the previous law. Each iteration reduces the change of the machine motion to a fraction of the previous change. This fraction is of the
-//! order of the speed ripple and of the residual of the law (theory §10).
+//! If ω(θ) and z″(θ) are known, the force is linear in the law ([`crate::problem`]). The program is then solved again with the machine
+//! motion of the previous law. Each iteration reduces the change of the machine motion to a fraction of the previous change. This fraction
+//! is of the order of the speed ripple and of the residual of the law (theory §10).
 
 use super::added::Layout;
 use super::assumed::Assumed;
@@ -46,12 +46,12 @@ const ROOM: f64 = 1e-4;
 const TOLD_ROWS: usize = 1440;
 /// Speed ripple up to which the iteration usually converges.
 const CALM: f64 = 0.25;
-/// Relative margins above the inertia that is sufficient for a law. They are tried one after the other.
+/// Relative margins above the inertia that is sufficient for the present law. They are tried one after the other.
 const INERTIA_ROOMS: [f64; 4] = [0.0, 0.01, 0.1, 0.5];
 /// Number of iterations without improvement after which the number of spans is increased.
 const STALLED: usize = 3;
 
-/// One iterate: problem, law on its cam, and the machine motion that results from this law.
+/// One iterate: problem, law with its cam, and the machine motion that results from this law.
 struct Iterate {
     problem: Problem,
     attempt: Attempt,
@@ -122,7 +122,7 @@ impl Iterate {
     }
 
     /// Factor below 1 on the accuracy over the angle, for which a law probably also satisfies the accuracy over time. `None` if the law
-    /// already satisfies the accuracy over time, or violates the accuracy over the angle.
+    /// already satisfies the accuracy over time, violates the accuracy over the angle, or if the limits are infeasible.
     fn tighter(&self, run: &Runner, allowed: f64) -> Option<f64> {
         let rows = self.motion.shaft.clone().at_rows(ROWS);
         let over_time = run.error(&self.attempt.cam.cam.law, &self.motion, &rows)?;
@@ -144,7 +144,7 @@ impl Iterate {
 ///
 /// # Errors
 ///
-/// The shaft stops, the iteration does not converge, or an undamped mode is at resonance.
+/// Errors of the input. The shaft stops, the iteration does not converge, or an undamped mode is at resonance.
 pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
     let first = attempt(problem, search)?;
     match on_machine(problem, search, &first) {
@@ -353,7 +353,7 @@ fn on_responding_floor(
     }
     let mut law = problem.law.clone();
     if first.law.family == Family::Spline {
-        // The law itself may have more spans than are sufficient.
+        // The law may have more spans than `first.law.spans`, the sufficient number.
         let spans = match law.dwells.is_empty() {
             true => first.law.law.breaks().len() - 1,
             false => first.law.spans,
@@ -403,7 +403,7 @@ enum Begin<'a> {
     Settled(&'a Iterate),
 }
 
-/// Repeats design and simulation until the assumed machine motion agrees with that of the designed law.
+/// Repeats design and simulation until the assumed machine motion agrees with the machine motion of the designed law.
 fn rounds(
     begin: Begin,
     floor: Option<FloorResponse>,
@@ -439,7 +439,8 @@ fn rounds(
     };
     let (mut motion, state) = match begin {
         Begin::ConstantSpeed(..) => {
-            // The motion in time of a law for constant speed may stop a small flywheel although the law itself does not.
+            // With a small flywheel, the motion in time of a law for constant speed may stop the shaft, although the law over the angle
+            // does not.
             let start = run.in_time(law, before.clone());
             let motion = start.map_err(|_| diverges(before))?;
             let at = |x: f64| retimed(law, &motion.shaft, x);
@@ -451,8 +452,8 @@ fn rounds(
             (before.clone(), state)
         }
     };
-    // The number of spans never decreases between iterations, so that results that depend on it remain comparable. It increases if the iteration does
-    // not converge because very different laws are nearly as good.
+    // The number of spans never decreases between iterations, so that results that depend on it remain comparable. The number increases if
+    // the iteration does not converge, because very different laws may be nearly equally good.
     let mut search = search.clone();
     search.least_spans = first.law.spans;
     let (mut nearest, mut stalled) = (f64::INFINITY, 0);

@@ -18,11 +18,11 @@ use crate::problem::Problem;
 pub fn responds(problem: &Problem) -> bool {
     let machine = &problem.machine;
     if problem.on_shaft.is_some() {
-        // The problem already contains a known motion of the machine.
+        // The problem already contains a given motion of the machine.
         return false;
     }
     if problem.law.polydyne {
-        // The design reports errors of the follower.
+        // If the data of the follower are invalid, the design reports the error.
         return !matches!(problem.train(), Ok(None));
     }
     !machine.is_plain()

@@ -90,7 +90,8 @@ fn move_limits(tried: &Attempt, limits: &mut Limits) -> bool {
     any
 }
 
-/// Limit that a check measures; `None` if a change of this limit for the follower's end does not move the value of the cam to its bound.
+/// Limit for the follower's end that corresponds to a check of the cam. `None` if the limit is absent, or if changing it cannot bring the
+/// value of the cam to its bound.
 fn own_limit(limits: &mut Limits, check: Criterion) -> Option<&mut f64> {
     let kind = check.limit().filter(|kind| kind.facts().moves_with_end)?;
     limits[kind].as_mut()

@@ -14,11 +14,11 @@ use crate::problem::Problem;
 use crate::scene::Minimise;
 use crate::synth::report::shaft::Forecast;
 
-/// Number of equally spaced angles for speed and force.
+/// Number of equally spaced cam angles at which speed and force are evaluated.
 pub const ROWS: usize = 240;
-/// Number of equally spaced angles for the force of one walker on the floor.
+/// Number of equally spaced cam angles at which the force of one walker on the floor is evaluated.
 const WALKER: usize = 720;
-/// Number of integration steps of the shaft motion between the breaks of the law.
+/// Number of equal parts of the turn at whose ends integration steps of the shaft motion end. Further steps end at the breaks of the law.
 const STEPS: usize = 32;
 /// Maximum number of iterations that determine only the speed, before the first design.
 const SPEED_ROUNDS: usize = 12;
@@ -26,11 +26,11 @@ const SAME_SPEED: f64 = 3e-3;
 /// Fraction of the permitted force error below which an estimated change of the force is neglected.
 const NEGLECTED: f64 = 0.2;
 const NEGLECTED_OF_MEAN: f64 = 1e-3;
-/// Maximum ratio of an inertia and the given inertia in the search for a sufficient inertia.
+/// Maximum ratio of a trial inertia to the given inertia in the search for a sufficient inertia.
 const LARGEST_FACTOR: f64 = 1e6;
 const INERTIA_PART: f64 = 1e-4;
 
-/// Simulates laws of a design in its machine.
+/// Simulation of the laws of a design in the machine of the design.
 #[derive(Clone)]
 pub struct Runner<'a> {
     /// Drive, motor and floor of the machine.
@@ -77,7 +77,7 @@ impl<'a> Runner<'a> {
         out
     }
 
-    /// Load of a law on the shaft, on a rigid floor.
+    /// Load that a law causes on the shaft, for a rigid floor.
     pub fn load_of_law(&self, law: &Law) -> Load {
         let at = |x: f64| law.svaj(x);
         self.carrier.load(0.0, law.breaks(), &at, &|_| 0.0)
@@ -178,8 +178,8 @@ impl<'a> Runner<'a> {
         Some(run.error(law, &motion, &shaft)?.rms_error_percent_of_mean)
     }
 
-    /// Minimum inertia for which the force error of a law over time is at most `allowed`, kg·m², where `allowed` is in percent of the mean
-    /// force. `None` if no inertia is sufficient.
+    /// Minimum inertia, kg·m², for which the force error of a law over time is at most `allowed`, in percent of the mean force. `None` if
+    /// no inertia is sufficient.
     pub fn inertia_for_accuracy(&self, law: &Law, allowed: f64) -> Option<f64> {
         let motor = self.carrier.motor?;
         let meets = |inertia: f64| {
@@ -211,7 +211,7 @@ pub fn angle(i: usize) -> f64 {
     TAU * i as f64 / ROWS as f64
 }
 
-/// Motion s(φ(x)) of the follower at the angle `x` on a shaft with varying speed, equal in time to the motion of `law` at constant speed.
+/// Motion s(φ(x)) of the follower at the angle `x` on a shaft with varying speed. In time, it equals the motion of `law` at constant speed.
 pub fn retimed(law: &Law, clock: &Motion, x: f64) -> Svaj {
     let [phase, rate, bend, third] = clock.phase(x);
     let at = law.svaj(phase);

@@ -12,15 +12,15 @@ const DEVIATION: f64 = 0.1;
 /// Force errors of the cam in machines in which one value is decreased or increased.
 #[derive(Debug, Clone, Serialize)]
 pub struct Sensitivity {
-    /// Key of the varied value.
+    /// Key of the scene whose value is varied.
     pub key: &'static str,
     /// Force errors with the value decreased and increased by 10 %, in percent of the mean; `None` without a steady motion.
     pub percent: [Option<f64>; 2],
 }
 
 impl Design {
-    /// Force errors over time, in percent of the mean, for machines in which one value differs by ±10 %. The supply of the motor is adjusted
-    /// so that the mean speed remains the same. Empty at constant speed or without a target.
+    /// Force errors over time, in percent of the mean, for machines in which one value differs by ±10 %. The supply of the motor is
+    /// adjusted so that the mean speed remains the same. The list is empty at constant speed. Without a target, all errors are `None`.
     pub fn sensitivity(&self) -> Vec<Sensitivity> {
         let machine = &self.problem.machine;
         let (motor, floor) = (machine.motor(), machine.floor());

@@ -1,12 +1,14 @@
 //! Response of the floor as part of the program of a law. A change of the law changes the motion of the floor, and thereby the force. The
 //! program and its certificate include this effect.
 //!
-//! The force on the moving floor is linear in the law: F = T P + const, where P maps the law to the force on a rigid floor. T contains the gains
-//! Gₙ = 1/(1 − M Hₙ) of the harmonics.
+//! The force on the moving floor is linear in the law: F = T P + const, where P maps the law to the force on a rigid floor. T contains the
+//! gains Gₙ = 1/(1 − M Hₙ) of the harmonics. M is the moved mass, and Hₙ the floor acceleration per unit force at harmonic n. For high
+//! orders, Gₙ tends to G∞.
 //!
-//! Let π be the derivative of the Lagrangian with respect to the force. The derivative with respect to the law is P*T*π on the moving floor, but
-//! P*π in a program with a fixed floor motion. The difference h = (T − G∞)*π is therefore added to the objective. A law that is the optimum of
-//! its own program then satisfies the optimality conditions of the coupled program, which is convex (theory §10).
+//! Let π be the derivative of the Lagrangian with respect to the force, and let * denote the adjoint operator. The derivative with respect
+//! to the law is P*T*π on the moving floor, but P*π in a program with a fixed floor motion. The difference h = (T − G∞)*π is therefore
+//! added to the objective. A law that is the optimum of its own program then satisfies the optimality conditions of the coupled program,
+//! which is convex (theory §10).
 
 use std::f64::consts::TAU;
 

@@ -83,7 +83,7 @@ fn measured(
     }
 }
 
-/// Criterion of the scene value from which a limit comes: the limit itself, or the given prime radius.
+/// Criterion of the scene value that determines the bound of a limit. It is the limit itself, or the given prime radius.
 pub fn key(limit: &Limit) -> Criterion {
     match limit.meaning {
         Meaning::PrimeRadius { .. } => Criterion::GivenPrimeRadius,
@@ -106,7 +106,7 @@ fn sensitivities(program: &Program, solution: &Solution) -> Vec<Sensitivity> {
     out
 }
 
-/// Effect of relaxing a limit on a root mean square. `row` is a tangent of this limit; the result is `None` for other rows.
+/// Effect of relaxing a limit on a root mean square. `row` is a tangent of this limit. For other rows, the result is `None`.
 fn of_rms(program: &Program, row: &Row) -> Option<Sensitivity> {
     let limit = program.rms.iter().find(|l| l.is_tangent(row))?;
     let from = limit.meaning.value(limit.most)?;

@@ -75,7 +75,7 @@ fn is_of_force(problem: &Problem, row: &Row) -> bool {
     }
 }
 
-/// Bound, N, of the limit on a root mean square whose tangent the row is; infinite if there is no such limit.
+/// Bound, N, of the root-mean-square limit to which the tangent `row` belongs; infinite if there is no such limit.
 fn most(program: &Program, row: &Row) -> f64 {
     let own = program.rms.iter().find(|limit| limit.is_tangent(row));
     own.map_or(f64::INFINITY, |limit| limit.most)

@@ -29,7 +29,7 @@ use crate::problem::{Problem, Size};
 use crate::scene::Minimise;
 use solved::Refined;
 
-/// Maximum number of tangents of the limit on residual vibration for each dwell; five are usual.
+/// Maximum number of tangents of the limit on residual vibration for each dwell. Usually five tangents are sufficient.
 const MOST_TANGENTS: usize = 40;
 
 /// Optimum under the convex limits, the limit on vibration in dwells, and the load limits.
@@ -119,7 +119,7 @@ fn in_sequence(
     }
     limits::leave_room(&mut program);
     if let Some(found) = sequence_from(problem, search, optimum, &limits, &program, &solution) {
-        // The convex optimum itself, at a size of the same cost.
+        // If the sequence returns the convex optimum at the same cost, this optimum and its certificate are kept.
         let (refined, steps, _) = &found;
         let as_it_was = steps.is_empty() && refined.x == solution.x;
         if !as_it_was || program.merit(refined) > program.merit(&solution) {
@@ -163,10 +163,11 @@ fn sequence_from(
     let mut starts = starts(problem, program, solution);
     if problem.objective() == Minimise::PeakForceError {
         let force = &optimum.formulation.force;
-        // This start precedes the others: if no start is feasible, the last one is shrunk or tightened, and this one already has its size.
+        // If no start is feasible, the last start is shrunk or tightened. This start already has its final size, so it precedes the other
+        // starts.
         starts.splice(0..0, nearest_to_force(problem, program, force, limits));
     }
-    // A law that satisfies every limit passes; only its force error may still exceed the accuracy.
+    // A law that satisfies every limit passes, except that its force error may still exceed the accuracy.
     let passes = |s: &Solution| {
         let error = || ForceReport::of(problem, &Law::of(&program.basis, &s.x)).rms_error_n;
         search.only_passing && problem.allowed_error().is_none_or(|most| error() <= most)
@@ -203,8 +204,8 @@ fn nearest_to_force(
     Some(found)
 }
 
-/// Program and solution with a fixed level of the lift. If nothing in the problem fixes this level, and limits of the profile depend on it,
-/// the law is shifted so that its minimum lift is zero.
+/// Program and solution with a fixed level of the lift. If limits of the profile depend on this level and the problem does not fix it, the
+/// law is shifted to a minimum lift of zero.
 fn at_level(
     problem: &Problem,
     optimum: &Optimum,
@@ -215,7 +216,8 @@ fn at_level(
     if problem.level_is_known() || limits.profile.is_none() {
         return (program, solution);
     }
-    // If a limit does not determine the angle of the minimum, the law may be lower elsewhere; raising it only increases all lifts.
+    // If a limit does not determine the angle of the minimum, the law may be lower at other angles. Raising the law only increases all
+    // lifts.
     let lowest = Law::of(&program.basis, &solution.x).extremes(0).0;
     solution.x = program.basis.raised(solution.x, -lowest.value);
     program.count_from(lowest.at);

@@ -80,7 +80,8 @@ fn searched(
     program: &Program,
     stiffness: Option<f64>,
 ) -> Result<(Node, Option<f64>), Box<Refusal>> {
-    // The minimum of the law without limits is a good initial guess. If the error is limited, the law is near that of the minimum error.
+    // The minimum of the law without limits is a good initial guess. If the force error is limited, the law is near the law with the
+    // minimum force error.
     let least = program.of_least_rms(Criterion::Accuracy);
     let first = match qp::solve_equalities(least.as_ref().unwrap_or(program)) {
         Ok(unlimited) => Law::of(&program.basis, &unlimited.x).extremes(0).0.at,
@@ -166,8 +167,8 @@ struct Search {
 }
 
 impl Search {
-    /// Solves the first program, at the angle `first`. If equalities or the target prescribe the law at given angles, several touching angles
-    /// are tried until one has a solution.
+    /// Solves the first program, at the angle `first`. If the program has equalities or angle-dependent bounds, several touching angles are
+    /// tried until one has a solution.
     fn begin(&mut self, first: f64) -> Result<(), Box<Refusal>> {
         let tied = !(self.program.equalities.is_empty() && self.program.shapes.is_empty());
         let angles = if tied { TRIED } else { 1 };
@@ -231,7 +232,8 @@ impl Search {
         (0..self.nodes.len()).min_by(by_value).unwrap_or(0)
     }
 
-    /// Tries the angles ¼ span before and after the best angle. For a symmetric target, a stationary angle can be a local maximum.
+    /// Tries the angles at a distance of ¼ span before and after the best angle. For a symmetric target, a stationary angle of the
+    /// objective can be a local maximum.
     fn beside(&mut self) {
         let at = self.nodes[self.best()].at;
         let part = 0.25 * self.program.width(0);

@@ -20,7 +20,8 @@ pub struct Point {
     pub least: f64,
 }
 
-/// Force of the individual cam for each cycle; empty if the feasible laws for a walker do not form a convex set.
+/// Force of the individual cam for each cycle. If the phases are adjustable, the amplitudes of the target's harmonics replace this force.
+/// The list is empty if the limits are infeasible for a walker, or if the feasible laws do not form a convex set.
 pub fn points(problem: &Problem, search: &Search) -> Result<Vec<Point>> {
     let Some(walkers) = problem.walkers.as_deref() else {
         return Ok(Vec::new());
@@ -41,7 +42,7 @@ pub fn points(problem: &Problem, search: &Search) -> Result<Vec<Point>> {
             ..walkers.clone()
         };
         let limited = limits::for_all(&problem.of_mean(), &alone, 1.0);
-        // The load limits of another machine have no meaning for this walker.
+        // The load limits of the reference machine do not apply to the machine of this walker, so they are removed.
         let mut left = limited.limits.clone();
         limits::loads().for_each(|kind| left[kind] = None);
         let limited = limited.with_limits(left);

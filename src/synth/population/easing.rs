@@ -40,7 +40,7 @@ pub fn of_all(
     }
     let (before, after) = match easing.objective {
         Minimised::RmsError => {
-            // The mean square of the walkers is that of the mean curve, but for this factor and a constant.
+            // The mean square error of the walkers equals the mean square error of the mean curve times this factor, plus a constant.
             let part = |w: &Served| w.share * (w.factor / w.unit).powi(2);
             let factor: f64 = walkers.each.iter().map(part).sum();
             let gain = factor * scale * (easing.before.powi(2) - easing.after.powi(2));

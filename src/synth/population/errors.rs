@@ -10,7 +10,7 @@ use crate::poly::{Cells, gauss_legendre};
 use crate::problem::Served;
 use crate::scene::Robust;
 
-/// Number of ranges of the turn for laws that are not polynomials.
+/// Number of equal ranges of the turn for the quadrature of laws that are not polynomials.
 const RANGES: usize = 256;
 const NODES: usize = 5;
 /// Maximum degree of the least-squares polynomials that replace a target.
@@ -105,7 +105,7 @@ impl Aim {
 }
 
 impl Nodes {
-    /// Mean square error of a walker for the force of a law, divided into the errors of mean force, amplitude and shape.
+    /// Mean square error of a walker for the force of a law, as the sum of three components: mean force, amplitude and shape.
     pub fn parts(&self, aim: &Aim, force: &[f64]) -> [f64; 3] {
         let centred = |mut values: Vec<f64>| {
             let mean = dot(&values, &self.roots);

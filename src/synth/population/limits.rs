@@ -15,7 +15,7 @@ pub fn for_all(problem: &Problem, walkers: &Walkers, loads: f64) -> Problem {
         .each
         .iter()
         .fold(0.0_f64, |m, w| m.max(w.drive.speed));
-    // Force at the reference machine for which the machine of every walker satisfies the bound.
+    // Bound of the force in the reference machine for which the force in the machine of every walker satisfies its bound.
     let reached = |bound: f64, direction: Direction| {
         let of = |w: &Served| direction.sign() * (bound - w.drive.rest_force) / w.factor;
         let nearest = walkers.each.iter().map(of).fold(f64::INFINITY, f64::min);
@@ -34,7 +34,8 @@ pub fn for_all(problem: &Problem, walkers: &Walkers, loads: f64) -> Problem {
     problem.with_limits(limits)
 }
 
-/// The law on the largest cam that any walker requires. Each limit is checked for the machine of the walker for which it is most critical.
+/// The law with the largest cam that any walker requires. Each limit is checked for the machine of the walker for which it is most
+/// critical.
 pub fn checked(problem: &Problem, walkers: &Walkers, solved: &SolvedLaw) -> Result<CheckedCam> {
     let extremes = extremes(problem, walkers).into_iter();
     let machines: Vec<Problem> = extremes.map(|w| problem.with_drive(w.drive)).collect();
@@ -59,7 +60,7 @@ pub fn checked(problem: &Problem, walkers: &Walkers, solved: &SolvedLaw) -> Resu
     Ok(out)
 }
 
-/// Load limits, for which the limited values of two walkers do not differ by a common factor.
+/// Load limits. The ratio of a load for two walkers varies with the cam angle.
 pub fn loads() -> impl Iterator<Item = LimitKind> {
     let is_load = |kind: &LimitKind| kind.facts().depends_on == DependsOn::Load;
     LimitKind::ALL.iter().copied().filter(is_load)
@@ -75,10 +76,10 @@ pub fn less_loaded(checks: &[Check]) -> Option<f64> {
 
 /// Walkers that include the most critical walker for every limited quantity.
 ///
-/// Force, torque and torque rate are linear in the force at rest R and in the factor β; power is linear in ωR and ωβ. Pressure increases with
-/// the force, and motion with ω. Each quantity is thus linear in a pair of values for each walker, or increases with such a linear quantity.
-/// The maximum over all walkers is therefore reached at a corner of the convex hull of these pairs. For vibration in a dwell, all walkers are
-/// returned.
+/// Force, torque and torque rate are linear in the force at rest R and in the factor β of the walker. Power is linear in ωR and ωβ, with
+/// the shaft speed ω of the walker. Pressure increases with the force, and motion with ω. Each quantity is thus linear in a pair of values
+/// for each walker, or increases with such a linear quantity. The maximum over all walkers is therefore reached at a corner of the convex
+/// hull of these pairs. For vibration in a dwell, all walkers are returned.
 fn extremes<'w>(problem: &Problem, walkers: &'w Walkers) -> Vec<&'w Served> {
     let each = &walkers.each;
     let vibrates = |kind: &LimitKind| kind.facts().depends_on == DependsOn::Vibration;

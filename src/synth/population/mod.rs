@@ -1,10 +1,11 @@
 //! One cam for many walkers.
 //!
-//! Mass and speed of the machine are adjusted for each walker, so that the force error of walker w, M_w (ω_w² a + g) − F_w, is linear in the
-//! law. Minimising the mean of the squared errors is equivalent to the design for one mean curve. Minimising the worst error, or the mean of the
-//! worst tenth, is the design for another mean curve. The weights of this curve are computed by a search ([`weights`]).
+//! Mass M_w and speed ω_w of the machine are adjusted for each walker w with the target force F_w. The force error M_w (ω_w² a + g) − F_w
+//! is therefore linear in the law. Minimising the mean of the squared errors is equivalent to the design for one mean curve. Minimising the
+//! worst error, or the mean of the worst tenth, is equivalent to the design for another mean curve. The weights of this curve are computed
+//! by a search ([`weights`]).
 //!
-//! Families, limits, certificates and checks are those of a design for a single walker (theory §8).
+//! Families, limits, certificates and checks are the same as in a design for a single walker (theory §8).
 
 pub mod alone;
 mod easing;
@@ -50,7 +51,7 @@ const SLACK: f64 = 1e-9;
 ///
 /// # Errors
 ///
-/// A setting of the scene does not support several walkers. Other errors are those of a single walker.
+/// A setting of the scene does not support several walkers. The errors of a design for a single walker also apply.
 pub fn designed(problem: &Problem, search: &Search, walkers: &Walkers) -> Result<Design> {
     refuse_unknown(problem, walkers)?;
     let phase = at_best_phase(&problem.of_mean(), search)?.phase;
@@ -118,7 +119,7 @@ struct Found {
     upper: f64,
     lower: f64,
     rounds: usize,
-    /// Delay of each cycle relative to the phase of the cam, rad.
+    /// Delay of each cycle relative to the phase of the design, rad.
     phases: Vec<f64>,
 }
 
@@ -335,7 +336,7 @@ fn held(problem: &Problem, law: &SolvedLaw) -> Problem {
 pub fn hold(spec: &mut LawSpec, family: Family, law: &Law, coefficients: usize) {
     spec.family = family;
     match family {
-        // Each dwell is a span of its own.
+        // Each dwell is an additional span, which `spans` does not count.
         Family::Spline => spec.spans = Some(law.breaks().len() - 1 - spec.dwells.len()),
         _ => spec.harmonics = Some(coefficients / 2),
     }

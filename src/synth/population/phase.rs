@@ -1,7 +1,8 @@
 //! Adjustable phases of the walkers' cycles. The problem is not convex, so laws and phases are optimised alternately.
 //!
-//! For a lower bound, every harmonic of every walker may have its own phase. Then only amplitudes matter: |γ Ψₙ − Yₙ| ≥ |γ |Ψₙ| − |Yₙ||. The
-//! bound is the optimum of a problem with equal phases and without limits.
+//! For a lower bound, every harmonic of every walker may have its own phase. Then only amplitudes matter: |γ Ψₙ − Yₙ| ≥ |γ |Ψₙ| − |Yₙ||. Ψₙ
+//! is harmonic n of the force, Yₙ harmonic n of the walker's scaled target, and γ the factor of the walker. The bound is the optimum of a
+//! problem with equal phases and without limits.
 
 use std::f64::consts::TAU;
 
@@ -16,7 +17,7 @@ use crate::problem::{Served, Walkers};
 const SAMPLES: usize = 1024;
 /// Number of harmonics from which the phase of a walker is determined.
 const HARMONICS: usize = 100;
-/// Number of trial phases on a grid over the turn.
+/// Number of trial phases on an equally spaced grid over the turn.
 const TRIED: usize = 720;
 const STEPS: usize = 6;
 /// Maximum number of iterations for the lower bound.
@@ -37,7 +38,8 @@ pub fn of_law(drive: &Drive, law: &Law) -> Vec<(f64, f64)> {
     waves(&at.map(|x| drive.force(law.svaj(x))).collect::<Vec<_>>())
 }
 
-/// Delay of a walker's cycle, rad, for which the cycle fits the force best. `force` contains the harmonics of the force.
+/// Delay of a walker's cycle, rad, for which the cycle fits the force best. `force` contains cosine and sine amplitudes of the force from
+/// the first harmonic on.
 pub fn best(force: &[(f64, f64)], walker: &Served) -> f64 {
     let own = waves(&walker.target.force_n);
     let terms: Vec<[f64; 3]> = (1..)

@@ -1,8 +1,9 @@
 //! Search for weights of the walkers, such that the cam for the weighted mean curve is the optimum of the objective.
 //!
-//! For weights λ, the sum Σ λ_w e_w² is the mean square distance from one curve, (Σ λ γ y)/(Σ λ γ²), except for a factor and a constant. The
-//! minimum of this sum, reduced by its duality gap, is a lower bound of the worst error. It is also a lower bound of the mean of the worst
-//! tenth, if no weight exceeds the share of the walker in this tenth.
+//! For weights λ, the sum Σ λ_w e_w² is the mean square distance from one curve, (Σ λ γ y)/(Σ λ γ²), except for a factor and a constant.
+//! The factors γ, targets y and errors e are defined in the module `errors`. The minimum of this sum, reduced by its duality gap, is a
+//! lower bound of the worst error. It is also a lower bound of the mean of the worst tenth, if no weight exceeds the share of the walker in
+//! this tenth.
 //!
 //! The next weights are the multipliers of the same problem over the convex hull of the previous laws. All laws of the hull satisfy the convex
 //! limits (theory §8).
@@ -31,7 +32,8 @@ pub struct Weights<'a> {
     pub lower: f64,
     /// Weighted sum of the mean square errors of the combination from which the last weights were computed.
     hull: f64,
-    /// Whether the last law is not better than this combination. The next weights would then equal the last ones.
+    /// Whether the last law is not better than the combination from which its weights were computed. The next weights would then equal the
+    /// last ones.
     is_settled: bool,
 }
 
@@ -149,7 +151,7 @@ pub fn axes(laws: &[Vec<f64>], centre: &[f64]) -> Vec<Vec<f64>> {
     for law in laws {
         let mut rest = less(law, centre);
         let size = norm(&rest).sqrt();
-        // Repeated, because rounding errors leave a part that is not orthogonal.
+        // The orthogonalisation is repeated, because rounding errors leave a part that is not orthogonal.
         for _ in 0..2 {
             for axis in &out {
                 let part = dot(axis, &rest);

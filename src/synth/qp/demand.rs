@@ -25,7 +25,7 @@ pub enum Demand {
         /// Position of the entry in the scene, counted from 1.
         dwell: usize,
     },
-    /// Contact with the base circle at some angle.
+    /// Contact with the base circle at one angle, where the lift is zero.
     OnBaseCircle,
 }
 

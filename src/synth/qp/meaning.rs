@@ -44,7 +44,7 @@ pub enum Meaning {
 }
 
 impl Meaning {
-    /// Relation in which the value of the scene is the bound times a factor.
+    /// Relation in which the value of the scene is factor·bound.
     pub fn times(factor: f64) -> Meaning {
         Meaning::Value {
             factor,
@@ -67,7 +67,8 @@ impl Meaning {
         }
     }
 
-    /// Derivative |d value / d bound|, which converts multipliers.
+    /// Derivative |d value / d bound|. A multiplier per unit of the bound, divided by this derivative, is a multiplier per unit of the
+    /// value.
     pub fn slope(self, bound: f64) -> f64 {
         match self {
             Meaning::Structure | Meaning::Sized | Meaning::PressureAngle => 1.0,

@@ -14,7 +14,7 @@ pub use splineqp::{
     TOLERANCE, Values, Variable, apply, certificate, only, solve_equalities,
 };
 
-/// Types that name the limits and equalities of a program as in a scene.
+/// Type parameters of a program, with limits and equalities named as in a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OfScene;
 
@@ -36,7 +36,8 @@ pub type Failure = splineqp::Failure<OfScene>;
 /// typical lift. The value is so large that the smoothing does not affect the size, and small enough that the law is still smooth.
 const SIZE_JERK: f64 = 1e3;
 
-/// Weight μ of the term ½ μ mean(j²), which keeps the law of the smallest cam smooth. `length` is the typical lift, m.
+/// Weight μ of the term ½ μ mean(j²), with the jerk j, which keeps the law of the smallest cam smooth. `length` is the typical lift, m.
+/// `cost` is the cost of a radius of one typical lift.
 pub fn smoothing(cost: f64, length: f64) -> f64 {
     let unit = SIZE_JERK * length;
     cost / (unit * unit)

@@ -1,4 +1,5 @@
-//! Additional variables of a cam's program: sizes of the cam, and the lower ends of the ranges of lift and contact.
+//! Additional variables of a cam's program. They are the sizes of the cam, the minimum lift, and the end of the contact range on a flat
+//! face.
 
 use super::{Program, Solution, TOLERANCE, Values, Variable};
 
@@ -10,7 +11,8 @@ pub const RISE: Variable = Variable::nth(2);
 pub const OFFSET: Variable = Variable::nth(3);
 /// Minimum lift, m, from which the stroke is measured if the level of the lift is fixed.
 pub const LOWEST: Variable = Variable::nth(4);
-/// Minimum velocity, m/rad, at which the range of the contact on a flat face of limited length begins.
+/// Minimum derivative of the lift with respect to the cam angle, m/rad. It is the lower end of the contact range on a flat face of limited
+/// length.
 pub const FACE_END: Variable = Variable::nth(5);
 /// Variables for the size of the cam, which form the cone Rp ≥ ‖(D, e)‖.
 pub const SIZES: [Variable; 3] = [RADIUS, RISE, OFFSET];

@@ -32,7 +32,7 @@ pub fn beside<T: Sync, R: Send>(
     let caller = thread::current();
     let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let found = Mutex::new(Vec::with_capacity(items.len()));
-    // Separate threads: in a shared pool, a search might not start, and therefore not end, before the work of others.
+    // Separate threads are used, because in a shared thread pool a search may have to wait for unrelated work.
     let work = || {
         let _end = End {
             done: &done,

@@ -1,5 +1,5 @@
-//! Relaxations of a scene whose smallest cam is too large. Each trial changes one value and computes the smallest cam. The prime radius of
-//! this cam is compared with the limit.
+//! Relaxations for a scene whose smallest cam exceeds the limit on the prime radius. Each trial changes one value and computes the smallest
+//! cam. The prime radius of this cam is compared with the limit.
 
 use super::relaxable::Relaxable;
 use crate::cam::LimitKind;
@@ -18,7 +18,7 @@ const BEYOND: f64 = 0.02;
 /// Relative first step if the slope is unknown.
 const FIRST_STEP: f64 = 0.05;
 
-/// The smallest cam of a scene, which is larger than permitted.
+/// The smallest cam of a scene, whose prime radius exceeds its limit.
 pub struct BySize<'a> {
     /// Problem of the smallest cam.
     open: Problem,
@@ -95,7 +95,7 @@ impl<'a> BySize<'a> {
                     f64::INFINITY
                 };
                 (fails, outside) = (value, found);
-                // The end that remains has its weight halved (Illinois method), so that it moves too.
+                // The weight of the unchanged end of the range is halved (Illinois method), so that this end moves too.
                 if let Some((_, inside)) = &mut works {
                     *inside *= 0.5;
                 }

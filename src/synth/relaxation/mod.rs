@@ -54,8 +54,8 @@ impl Design {
     /// The design with suggested changes. The computation ends early at the stop condition of `search`.
     #[must_use]
     pub fn relaxed_with(self, search: &Search) -> Design {
-        // Limits affect neither the mean of the force nor open questions about the recording nor a prescribed law. If the solver stopped, the limits
-        // are not known to be the cause.
+        // Relaxed limits change neither the mean target force, nor open questions about the recording, nor a prescribed law. If the solver
+        // stopped, it is not proved that the limits are the cause.
         let hopeless = self.reasons.iter().any(|reason| {
             matches!(
                 reason,
@@ -90,7 +90,7 @@ fn with_relaxations(problem: &Problem, search: &Search, design: Design) -> Desig
     let (cures, together) = if found.is_empty() && !search.halt.is_asked() {
         relaxing.several(&numbers, &design.reasons)
     } else if found.iter().all(Relaxation::is_goal) {
-        // Several limits together may be sufficient without giving up the accuracy.
+        // A common change of several limits may be sufficient without relaxing the accuracy.
         let limits: Vec<_> = numbers.iter().copied().filter(|n| !is_goal(&n.0)).collect();
         (
             vec![relaxing.cure(&found)],
@@ -106,7 +106,7 @@ fn with_relaxations(problem: &Problem, search: &Search, design: Design) -> Desig
             (Some(why), reasons)
         }
         None => {
-            // If the size is relaxed, the law changes too: the base radius that the present law requires is then not valid.
+            // If the size is relaxed, the law changes too. The base radius that the present law requires is then not valid.
             let is_found = |key: &str| found.iter().any(|f| f.key == key);
             let resized = (numbers.iter())
                 .any(|(number, _)| number.key.section() == "cam" && is_found(number.key.path));
@@ -115,7 +115,7 @@ fn with_relaxations(problem: &Problem, search: &Search, design: Design) -> Desig
             (None, known.chain(cures).collect())
         }
     };
-    // The inertia that the accuracy requires is sufficient if no other check fails.
+    // A suggested inertia is kept only if the design with this inertia passes every check.
     let of_machine = design.relaxations.into_iter();
     let of_machine = of_machine.filter(|r| r.limit == Criterion::Inertia && relaxing.passes_on(r));
     let out_of_time = search.halt.was_heard() && !design.out_of_time;
@@ -133,7 +133,7 @@ fn with_relaxations(problem: &Problem, search: &Search, design: Design) -> Desig
     }
 }
 
-/// Adds the suggested changes to a conflict. Limits for which no sufficient change was found have no value.
+/// Adds the suggested changes to a conflict. For limits without a sufficient change, the value is `None`.
 fn with_cures(why: Infeasible, found: &[Relaxation], cures: Vec<Reason>) -> Infeasible {
     let Infeasible {
         conflict,
@@ -159,7 +159,7 @@ fn passes(design: &Design) -> bool {
     design.verdict != Verdict::Unacceptable
 }
 
-/// Middle of two values: the arithmetic mean, or the geometric mean if the magnitudes differ greatly.
+/// Middle of two values: the arithmetic mean, or the geometric mean if the values differ by more than a factor of four.
 fn middle(works: f64, fails: f64) -> f64 {
     if fails > 0.0 && works / fails > 4.0 {
         (works * fails).sqrt()
@@ -201,8 +201,8 @@ impl<'a> Relaxing<'a> {
     fn of(problem: &'a Problem, search: &'a Search, design: &Design) -> Self {
         let (mean, rest) = (design.force.target_mean_n, design.problem.drive.rest_force);
         let asked = problem.at_constant_speed();
-        // A design on a responding floor is fast, and the floor motion for the present limit is not valid for another limit. The machine motion is
-        // therefore not fixed.
+        // A design on a responding floor takes little time, and the floor motion for the present limit is not valid for another limit. The
+        // machine motion is therefore not fixed.
         let is_quick = problem.through_floor().is_some();
         Relaxing {
             problem: if is_quick { asked } else { problem },
@@ -292,9 +292,9 @@ impl<'a> Relaxing<'a> {
     }
 
     /// Value of `number` near `hint` for which the complete design passes. `hint` is the value that is sufficient in the convex program.
-    /// `None` if a small margin beyond it is not sufficient.
+    /// `None` if a small margin beyond `hint` is not sufficient, or if a smaller change is sufficient.
     fn near(&self, number: Relaxable, hint: f64) -> Option<f64> {
-        // At the edge of feasibility, a program is hard to solve: if small margins are not sufficient, the value is rejected.
+        // At the edge of feasibility, a program is hard to solve. If small margins are not sufficient, the value is rejected.
         let [none, less, most, _] = ROOMS;
         let weakest = number.with_room(hint, most);
         self.tried(number, weakest)?;
@@ -387,7 +387,8 @@ impl<'a> Relaxing<'a> {
     /// Minimum sufficient value of the diameter limit, m, if the design minimises the size: the diameter of the smallest cam. `None` for
     /// other limits and objectives.
     ///
-    /// The sufficient values of those limits are found by a search, which uses the law of minimum force error. The cam of that law is larger.
+    /// The sufficient values of other limits are found by a search, which uses the law of minimum force error. The cam of this law is
+    /// larger than the smallest cam.
     fn of_smallest_cam(&self, number: Relaxable, from: f64) -> Option<f64> {
         let is_diameter = number.key.limit == Some(LimitKind::Diameter);
         if !is_diameter || self.problem.objective() != Minimise::Size {
@@ -405,7 +406,7 @@ impl<'a> Relaxing<'a> {
     /// A value for which the design passes, from a value at the edge of feasibility. It is rounded towards the weaker limit, with a margin if
     /// necessary.
     fn passing_from(&self, number: Relaxable, works: f64) -> Option<f64> {
-        // At the boundary of feasibility a program may fail numerically; a slightly weaker one is solved.
+        // At the boundary of feasibility, the solver may fail numerically, so slightly weaker values are tried too.
         let mut rounded = ROOMS.map(|room| number.with_room(works, room)).into_iter();
         rounded.find(|to| self.tried(number, *to).is_some())
     }

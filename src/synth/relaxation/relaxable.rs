@@ -15,7 +15,7 @@ const STEEPEST: f64 = 1.55;
 /// A value of the scene that may be relaxed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Relaxable {
-    /// Row of the key table.
+    /// Entry of the key table to which the value belongs.
     pub key: &'static Key,
     relax: Relax,
     criterion: Criterion,
@@ -43,7 +43,7 @@ pub fn relaxables(problem: &Problem) -> Vec<(Relaxable, f64)> {
 }
 
 impl Relaxable {
-    /// Name of the value in conflicts and suggested changes.
+    /// Criterion by which conflicts and suggested changes name the value.
     pub fn criterion(self) -> Criterion {
         self.criterion
     }
@@ -66,7 +66,7 @@ impl Relaxable {
         problem.with(self.criterion, value)
     }
 
-    /// Whether a larger value is a weaker limit.
+    /// Whether a larger value is a weaker limit, as for upper limits.
     pub fn grows(self) -> bool {
         self.relax == Relax::Up
     }
@@ -141,7 +141,8 @@ impl Relaxable {
             (steps + same).floor()
         };
         match self.key.range {
-            // Division gives the nearest number to the decimal one; a product with a step below 1 would change its last digit.
+            // Division gives the floating-point number nearest to the decimal value. A product with a step below 1 would change the last
+            // digit.
             Range::Acute => whole * self.step(value),
             _ if self.decimals(value) > 0 => whole / 10_f64.powi(self.decimals(value)),
             _ => whole * self.step(value),

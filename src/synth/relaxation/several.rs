@@ -31,7 +31,7 @@ impl Relaxing<'_> {
         }
     }
 
-    /// Values after the smallest common relative change of several limits that is sufficient; empty if there is none.
+    /// Values of several limits after the minimum common relative change that is sufficient; empty if no change is sufficient.
     pub fn several_limits(&self, limits: &Values) -> Vec<Relaxation> {
         if limits.len() < 2 || self.search.halt.is_asked() {
             return Vec::new();

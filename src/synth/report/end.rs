@@ -13,7 +13,7 @@ use crate::units::{Dimension, Quantity};
 /// use gaitcam::scene;
 /// use gaitcam::synth::synthesise;
 ///
-/// // F = M (g + ω²a): the end's force is that of the law, which the cam alone would not give.
+/// // The stiffness k = M (2π f)² follows from the moved mass M and the natural frequency f.
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let scene = scene.with("machine.natural_frequency", "12 Hz")?.with("law.degree", "7")?.with("law.polydyne", "true")?;
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;

@@ -6,13 +6,13 @@ use crate::drive::Drive;
 use crate::law::Law;
 use crate::problem::Problem;
 
-/// Comparison of the force of a cam with the target. All values are exact for the continuous law.
+/// Comparison of the force of a cam with the target force. All values are exact for the continuous law.
 ///
 /// ```
 /// use gaitcam::scene;
 /// use gaitcam::synth::synthesise;
 ///
-/// // The mean force of a cam that carries its own mass is M·g, whatever the law.
+/// // On a moving axis, the mean force of every law is M·g.
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let force = synthesise(&scene, scene.model_force()?.as_ref())?.force;
 /// assert!((force.mean_n - 700.0).abs() < 1e-6);

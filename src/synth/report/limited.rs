@@ -16,7 +16,7 @@ impl Infeasible {
         self.conflict.iter().map(|c| c.name()).collect()
     }
 
-    /// Message on the conflict, with the suggested changes.
+    /// Message on the conflict in the given language, with the suggested changes.
     pub fn sentence(&self, language: Language) -> String {
         sentences(&self.reasons, language)
     }
@@ -49,7 +49,7 @@ impl Infeasible {
 /// use gaitcam::{LimitKind, scene};
 /// use gaitcam::synth::synthesise;
 ///
-/// // 40 mm of stroke are less than the force asks for: the limit shapes the law.
+/// // The target force requires a stroke above 40 mm, so the limit is active.
 /// let scene = scene::built_in("footbridge")?.scene()?.with("limits.stroke", "40 mm")?;
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
 /// assert!((design.cam.law.stroke() - 0.04).abs() < 1e-9);
@@ -73,7 +73,7 @@ pub struct Binding {
 /// use gaitcam::{LimitKind, scene};
 /// use gaitcam::synth::synthesise;
 ///
-/// // 1 % more stroke, and what it would buy.
+/// // A stroke limit that is 1 % larger reduces the force error.
 /// let scene = scene::built_in("footbridge")?.scene()?.with("limits.stroke", "40 mm")?;
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
 /// let easing = design.easing.iter().find(|e| e.limit == LimitKind::Stroke).unwrap();
@@ -197,7 +197,7 @@ impl Easing {
 /// use gaitcam::scene;
 /// use gaitcam::synth::synthesise;
 ///
-/// // 20 mm up and down in one turn take 16 h/T² of acceleration at least (theory §1).
+/// // A rise and fall by h = 20 mm within the duration T of a turn requires an acceleration of at least 16 h/T² (theory §1).
 /// let scene = scene::built_in("camdas_03_flat")?.scene()?;
 /// assert!(synthesise(&scene, None)?.infeasible.is_none());
 /// let jerk = "limits.jerk=1 m/s^3";
@@ -226,7 +226,7 @@ pub struct Infeasible {
 /// use gaitcam::synth::synthesise;
 /// use gaitcam::{LimitKind, scene};
 ///
-/// // 30 mm of stroke leave an error above 0.5 %: how much stroke would be enough?
+/// // With a stroke of 30 mm, the force error exceeds 0.5 %. The suggested change is a sufficient stroke.
 /// let scene = scene::built_in("footbridge")?.scene()?.with("limits.stroke", "30 mm")?;
 /// let force = scene.model_force()?;
 /// let design = synthesise(&scene, force.as_ref())?.relaxed();

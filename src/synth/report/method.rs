@@ -14,7 +14,7 @@ use crate::wording::{self, Language};
 /// use gaitcam::scene;
 /// use gaitcam::synth::synthesise;
 ///
-/// // Young's load has four harmonics, and so has the law.
+/// // The load model of Young has four harmonics, so the law has at most four harmonics.
 /// let scene = scene::built_in("footbridge")?.scene()?.with("law.family", "harmonic")?;
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
 /// assert!(matches!(design.solver.method, Method::Spectral { harmonics, .. } if harmonics <= 4));
@@ -64,7 +64,8 @@ pub enum Method {
 /// use gaitcam::scene;
 /// use gaitcam::synth::synthesise;
 ///
-/// // Why the sequence of programs under a limit of torque ended; designs without one have no such end.
+/// // A torque limit requires a sequence of convex programs, and the report contains the reason for its end. Without a sequence, there is
+/// // no reason.
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let force = scene.model_force()?;
 /// assert!(synthesise(&scene, force.as_ref())?.solver.ended().is_none());
@@ -81,7 +82,7 @@ pub enum Ended {
     OutOfTime,
     /// The maximum number of steps was reached.
     MostSteps,
-    /// The linearised program has no solution except the last law.
+    /// The solver found no solution of the program that is linearised about the last law.
     NoSolution,
     /// No fraction of the last step improves the objective.
     NoImprovement,
@@ -98,7 +99,7 @@ pub enum Ended {
 /// use gaitcam::scene::Limits;
 /// use gaitcam::synth::synthesise;
 ///
-/// // Harmonics that reach the accuracy need more stroke than is allowed: a spline takes over.
+/// // The harmonics that reach the accuracy exceed the stroke limit, so a spline is used instead.
 /// let scene = Scene {
 ///     gait: Some(Gait { step_frequency: Some(1.85), ..Gait::model("young") }),
 ///     law: LawSpec::of(Family::Auto),

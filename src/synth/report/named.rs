@@ -4,7 +4,7 @@ use crate::cam::{Criterion, LimitKind, Measures, Unit};
 use crate::scene::keys::{self, Key};
 use crate::units::Dimension;
 
-/// Criteria that are not limits, with the keys that set their values.
+/// Criteria that are not limits, with the keys of the scene that set their values.
 const KEYS: [(Criterion, &str); 7] = [
     (Criterion::Bore, "cam.bore"),
     (Criterion::BaseRadius, "cam.base_radius"),

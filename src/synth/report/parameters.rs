@@ -11,7 +11,7 @@ use crate::synth::qp::Basis;
 /// use gaitcam::scene;
 /// use gaitcam::synth::synthesise;
 ///
-/// // As many coefficients as knots in a turn.
+/// // The number of coefficients equals the number of knots per turn.
 /// let scene = scene::built_in("footbridge")?.scene()?.with("law.spans", "16")?;
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
 /// let Functions::BSpline { knots } = &design.functions else { panic!() };
@@ -22,7 +22,8 @@ use crate::synth::qp::Basis;
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Functions {
-    /// Periodic B-splines: coefficient i belongs to the function on the knots tᵢ … tᵢ₊ₚ₊₁, with tᵢ₊ₙ = tᵢ + 2π.
+    /// Periodic B-splines: coefficient i belongs to the function on the knots tᵢ … tᵢ₊ₚ₊₁, with tᵢ₊ₙ = tᵢ + 2π. The degree is p, and one
+    /// turn has n knots.
     BSpline {
         /// Knots of one turn, rad (`knots_rad` in JSON). Multiple knots are repeated.
         #[serde(rename = "knots_rad")]

@@ -61,11 +61,11 @@ pub enum Reason {
         because: Vec<Note>,
         keys: Vec<&'static str>,
     },
-    /// The lift has a jump.
+    /// The lift is discontinuous at an angle.
     LiftJumps { at: Quantity },
-    /// The velocity has a jump.
+    /// The derivative of the lift is discontinuous at an angle.
     VelocityJumps { at: Quantity },
-    /// The acceleration has a jump, so the inertia force has a jump too.
+    /// The second derivative of the lift is discontinuous at an angle, so the inertia force has a jump.
     AccelerationJumps { at: Quantity },
     /// A negative contact force would be necessary to keep the follower on the cam.
     LiftsOff {
@@ -148,7 +148,7 @@ pub enum Reason {
     PrimeRadius { needed: Quantity, allowed: Quantity },
     /// The force is outside its band.
     OutsideBand { at: Quantity, excess: Quantity },
-    /// Another limit is violated.
+    /// A limit is violated for which no other reason is defined.
     LimitBroken {
         limit: Criterion,
         at: Quantity,
@@ -157,7 +157,7 @@ pub enum Reason {
     },
     /// A limited derivative is infinite, because the derivative of the next lower order has a jump.
     LimitUnbounded { limit: Criterion, at: Quantity },
-    /// The contact pressure is infinite, because the radius of curvature of the profile is zero or negative there.
+    /// The contact pressure is infinite, because the radius of curvature of the profile is zero or negative at this position.
     PressureUnbounded { at: Quantity },
     /// The conditions contradict each other, even without limits.
     DemandsContradict { demands: Vec<Demand> },
@@ -208,7 +208,7 @@ pub enum Change {
 }
 
 impl Reason {
-    /// Message of the reason.
+    /// Message of the reason in the given language.
     pub fn sentence(&self, language: Language) -> String {
         wording::sentence(language, "reason", self)
     }

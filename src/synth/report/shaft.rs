@@ -10,7 +10,7 @@ use crate::dynamics::{InTime, Shaft};
 /// use gaitcam::scene;
 /// use gaitcam::synth::synthesise;
 ///
-/// // A wheel of 0.5 kg m² and a motor that loses 10 N·m per rad/s: the speed ripples by a quarter.
+/// // With an inertia of 0.5 kg·m² and a motor whose torque decreases by 10 N·m per rad/s, the speed ripple is 25 %.
 /// let mut table = scene::built_in("footbridge")?.scene()?.to_table();
 /// scene::set(&mut table, "machine.motor.slope=10 N m s/rad")?;
 /// scene::set(&mut table, "machine.inertia=0.5 kg m^2")?;
@@ -20,14 +20,14 @@ use crate::dynamics::{InTime, Shaft};
 /// assert!((on_shaft.shaft.ripple - 0.25).abs() < 0.01);
 /// assert!(on_shaft.force_time.unwrap().rms_error_percent_of_mean < 0.5);
 /// assert!(on_shaft.at_constant_speed.unwrap().rms_error_percent_of_mean > 6.0);
-/// // With 10 % more inertia the same cam still presses to 1 % of the weight.
+/// // With an inertia that differs by ±10 %, the force error of the same cam is below 1 % of the weight.
 /// let [less, more] = design.sensitivity()[0].percent;
 /// assert!(less.unwrap() < 1.0 && more.unwrap() < 1.0);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Serialize)]
 pub struct OnShaft {
-    /// Motion of the shaft.
+    /// Steady motion of the shaft over one period.
     pub shaft: Shaft,
     /// Force error over time, with the varying speed of the shaft; `None` without a target.
     pub force_time: Option<InTime>,
@@ -53,7 +53,7 @@ pub struct OnShaft {
 /// use gaitcam::scene;
 /// use gaitcam::synth::synthesise;
 ///
-/// // A wheel of 500 kg m²: the speed hardly ripples, and the law is that for constant speed.
+/// // With an inertia of 500 kg·m², the speed ripple is negligible, and the law for constant speed is used.
 /// let mut table = scene::built_in("footbridge")?.scene()?.to_table();
 /// scene::set(&mut table, "machine.motor.slope=10 N m s/rad")?;
 /// scene::set(&mut table, "machine.inertia=500 kg m^2")?;

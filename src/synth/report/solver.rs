@@ -13,7 +13,7 @@ use crate::wording::Language;
 /// use gaitcam::scene;
 /// use gaitcam::synth::synthesise;
 ///
-/// // A sequence of convex programs never gets worse.
+/// // No step of a sequence of convex programs increases the objective.
 /// let scene = scene::built_in("footbridge")?.scene()?.with("limits.torque", "12 N m")?;
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
 /// assert!(!design.solver.steps.is_empty());
@@ -39,7 +39,7 @@ pub struct Step {
 /// use gaitcam::scene;
 /// use gaitcam::synth::synthesise;
 ///
-/// // Harmonics in closed form; with limits that bind it takes a program.
+/// // Without active limits, harmonics are computed in closed form. An active limit requires a quadratic program.
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let force = scene.model_force()?;
 /// let harmonic = synthesise(&scene.with("law.family", "harmonic")?, force.as_ref())?;
@@ -99,7 +99,7 @@ pub struct SolverReport {
     pub certified: bool,
     /// Reason why the law is not certified; `None` for a certified law.
     pub doubt: Option<Doubt>,
-    /// Proved distance from the optimum; `None` if no quantity was minimised by a program.
+    /// Proved distance from the optimum; `None` if the law was not computed by minimising a quantity in a program.
     pub certificate: Option<Certificate>,
     /// Steps of the sequence of convex programs; empty without a sequence.
     pub steps: Vec<Step>,

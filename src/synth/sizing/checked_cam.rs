@@ -1,4 +1,4 @@
-//! A law on its cam, with force and checks. This type is used for every family, for the iterates of a polydyne cam and for the finished
+//! A law with its cam, force and checks. This type is used for every family, for the iterates of a polydyne cam and for the finished
 //! design.
 
 use crate::cam::{BarrelGroove, Cam, Check, Conjugate, LimitKind, PrimeCircle};
@@ -9,7 +9,7 @@ use crate::synth::limits::{ENLARGED, Finished, diameter_check};
 use crate::synth::report::force::ForceReport;
 use crate::synth::sizing;
 
-/// A law on its cam, with its force and all checks.
+/// A law with its cam, its force and all checks.
 #[derive(Clone)]
 pub struct CheckedCam {
     /// Cam of the law. The minimum lift is on the base circle, unless the drive or a condition fixes the level of the lift.
@@ -48,7 +48,7 @@ pub fn checked_cam(
     checked(problem, cam, raised, end)
 }
 
-/// The cam with force and checks for a problem.
+/// Computes force and checks of a cam for a problem.
 fn checked(problem: &Problem, cam: Cam, raised: f64, end: Option<Law>) -> Result<CheckedCam> {
     let conjugate = sizing::conjugate(problem, &cam)?;
     let groove = sizing::groove(problem, &cam)?;
@@ -95,8 +95,9 @@ impl CheckedCam {
     }
 }
 
-/// Smallest cam of a law that satisfies the limits, near a given circle. The offset of this circle is tried too: the best offset for the pressure
-/// angle may not be the best one for the curvature, and a cam with a smaller prime radius may have a larger diameter.
+/// Smallest cam with which a law satisfies its limits. `circle` is a prime circle from the program of the law. The offset of this circle is
+/// also tried, for two reasons. The best offset for the pressure angle may differ from the best offset for the curvature. A cam with a
+/// smaller prime radius may have a larger diameter.
 fn cam_about(
     problem: &Problem,
     law: Law,

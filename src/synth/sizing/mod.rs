@@ -1,4 +1,4 @@
-//! Cam of a law, with the size that the scene gives or with the minimum feasible size.
+//! Cam of a law, with the size given in the scene or with the minimum feasible size.
 
 pub mod checked_cam;
 mod notes;
@@ -24,14 +24,14 @@ const GROWTH: f64 = 1.5;
 const GROWTHS: i32 = 35;
 /// Relative margin that is added to a size from bisection, so that limits hold in spite of rounding errors.
 const ROUNDING: f64 = 1e-9;
-/// Default radius of a cam, relative to the travel of the follower, if no requirement determines a larger radius.
+/// Minimum radius of a cam, relative to the travel of the follower, if no requirement determines a larger radius.
 const NOTHING: f64 = 1e-4;
 /// Variation of s(θ) + s(θ + π), relative to the stroke, below which the breadth counts as constant.
 const BREADTH: f64 = 1e-9;
 /// Number of angles at which the breadth is computed and compared.
 const BREADTH_POINTS: usize = 720;
 
-/// Cam of a law whose lift 0 is on the base circle.
+/// Cam of a law. The lift 0 is on the base circle.
 ///
 /// `pressing` is the law that determines the force: the law of the cam, or of the end of a polydyne follower.
 ///
@@ -117,8 +117,8 @@ fn flat(problem: &Problem, law: &Law, pressing: &Law) -> Follower {
     Follower::FlatTranslating { base_radius }
 }
 
-/// Cam of constant breadth; an error if the breadth of the law is not constant. The base or prime radius is half the difference of breadth and
-/// lift.
+/// Cam of constant breadth. The result is an error if the breadth of the law is not constant. The base or prime radius is half the
+/// difference of breadth and lift.
 fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
     let key = |e: Error| e.at_key("cam.breadth");
     let sum = |theta: f64| law.svaj(theta).s + law.svaj(theta + PI).s;
@@ -193,7 +193,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
     make(libm::hypot(distance, offset), offset)
 }
 
-/// Default radius of a cam, m, if no limit and no bore determines the size.
+/// Minimum radius of a cam, m, if no limit and no bore determines the size.
 fn next_to_nothing(problem: &Problem, law: &Law) -> f64 {
     let travel = law.stroke() * problem.lever();
     if travel > 0.0 {
@@ -203,7 +203,8 @@ fn next_to_nothing(problem: &Problem, law: &Law) -> f64 {
     }
 }
 
-/// Cam with any other kind of follower, with the given or the minimum feasible base radius.
+/// Cam for followers other than translating flat faces, rollers and sharp edges. The base radius is given, or it is the minimum feasible
+/// radius.
 fn sized(problem: &Problem, law: Law) -> Result<Cam> {
     let spec = &problem.cam;
     let given = problem.base_radius();
@@ -223,7 +224,8 @@ fn sized(problem: &Problem, law: Law) -> Result<Cam> {
     let cam = Cam { law, follower };
     let smallest = smallest_for(&cam, &limits).map_err(|e| e.at_key("cam.base_radius"))?;
     let barrel = matches!(follower, Follower::Barrel { .. });
-    // The groove of a barrel is steepest at its floor, where the limits must hold. The roller must be thinner than the floor.
+    // The groove of a barrel is steepest at its floor, where the limits must hold. The radius of the floor must exceed the radius of the
+    // roller.
     let base = if barrel {
         smallest
             .max(problem.hub_radius_for(&cam.law))
@@ -310,7 +312,7 @@ fn follower(
             base_radius,
         },
         FollowerKind::TranslatingCam => Follower::TranslatingCam {
-            // The height has no effect on the law; the default only determines the appearance.
+            // The height has no effect on the law. The default only determines the appearance of the cam.
             base_height: problem.base_radius().unwrap_or(2.0 * spec.roller_radius),
             roller_radius: spec.roller_radius,
         },

@@ -55,7 +55,7 @@ fn shaft(problem: &Problem, cam: &Cam, pressing: &Law) -> Option<Note> {
     }
     let force = problem.force_curve(pressing);
     let torque = limits::largest(&limits::torque_curve(force, &cam.law)).value;
-    // From τ = 16 T/(π d³).
+    // The shear stress of a solid shaft of diameter d under the torque T is τ = 16 T/(π d³).
     let least = libm::cbrt(16.0 * torque / (PI * SHEAR));
     let [circle, shaft, torque] = [
         Quantity::length(circle),

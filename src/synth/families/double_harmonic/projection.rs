@@ -19,7 +19,7 @@ const COARSE: usize = 32;
 const STEPS: usize = 96;
 /// Angle h, rad, below which sin h / h is computed as 1 − h²/6.
 const SMALL: f64 = 1e-4;
-/// Powers of i (0, 1, 2): rotations by 0°, 90° and 180°.
+/// Powers i⁰, i¹ and i² of the imaginary unit, which rotate by 0°, 90° and 180°.
 const QUARTERS: [Complex<f64>; 3] = [
     Complex::new(1.0, 0.0),
     Complex::new(0.0, 1.0),
@@ -50,7 +50,8 @@ pub(super) struct Nearest {
     pub square: f64,
 }
 
-/// Mean and mean square of the force of a unit law over a turn, and the mean product of this force with the target without its mean.
+/// Means over a turn for a law with the lift 1. `mean` and `square` are the means of its force and of the squared force. `product` is the
+/// mean product of this force and the target without its mean.
 struct Means {
     mean: f64,
     square: f64,
@@ -87,7 +88,7 @@ impl Projection {
     }
 
     fn fit(&self, of: &Means) -> Nearest {
-        // Product with the mean of the force, for a law whose dwell is at 0.
+        // Mean product with the target including its mean, for a law whose dwell is at lift 0.
         let product = of.product + self.mean * of.mean;
         let at_zero = |lifts: [f64; 2]| self.along(product, of.square, 0.0, lifts);
         let spring = self.weights[0];
@@ -148,8 +149,8 @@ impl Projection {
         }
     }
 
-    /// Force of a unit rise (`sign` = 1) or of a unit fall (`sign` = −1) over an angle, rad. The fall is the rise in reverse order of the
-    /// angle.
+    /// Force of a unit rise (`sign` = 1) or of a unit fall (`sign` = −1) over an angle, rad. The fall is the rise traversed in the opposite
+    /// direction.
     fn motion(&self, angle: f64, sign: f64) -> Motion {
         let [s, v, a] = self.weights;
         let rate = PI / angle;
@@ -205,7 +206,8 @@ impl Projection {
             .collect()
     }
 
-    /// Mean and mean square of the force of a motion, and its mean product with the target for each start on the grid.
+    /// Means of the force and of the squared force of a motion over a turn, and its mean product with the target for each start angle on
+    /// the grid.
     fn row(&self, motion: Motion) -> Row {
         let step = TAU / STEPS as f64;
         let waves: Vec<Complex<f64>> = (1..)
@@ -253,7 +255,7 @@ struct Motion {
 }
 
 impl Motion {
-    /// Integral of the force times e^{ikθ} over its angle, divided by 2π.
+    /// Integral of the force times e^{ikθ} over the angle of the motion, divided by 2π.
     fn transform(&self, k: f64) -> Complex<f64> {
         let half = 0.5 * k * self.angle;
         let wave = turned(half);
@@ -276,7 +278,7 @@ impl Motion {
     /// Mean square of the force over a turn, N².
     fn square(&self) -> f64 {
         let [(c0, _), (c1, d1), (c2, d2)] = self.terms;
-        // Over half a period, the products of sines with cosines remain.
+        // The motion covers half a period, so the mean products of sines with cosines are not zero.
         let squares = c0 * c0 + 0.5 * (c1 * c1 + d1 * d1 + c2 * c2 + d2 * d2);
         let mixed = c0 * d1 * 2.0 + c1 * d2 * (4.0 / 3.0) - d1 * c2 * (2.0 / 3.0);
         (squares + mixed * 2.0 / PI) * self.angle / TAU

@@ -11,7 +11,7 @@ use crate::synth::qp::{PEAK, Program, Quadratic, RADIUS, RISE, Row, Solution, TO
 const HELD_ROUNDS: usize = 6;
 
 /// Optimum of the program that is linearised about the last law. It satisfies the limits up to rounding errors. `None` if its violation is
-/// not smaller than that of the last law.
+/// not smaller than the violation of the last law.
 pub fn resolved(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solution> {
     let mut exact = program.clone();
     exact.settings.tolerance = TOLERANCE;
@@ -37,7 +37,8 @@ pub fn held(program: &Program, current: &Solution, at_size: &AtSize) -> Option<S
     let mut near = program.clone();
     let mut about = current.clone();
     if near.hessian.largest_diagonal() == 0.0 {
-        // A peak as objective has no quadratic distance, so one is added. Its rows are removed, because the peak increases with the law.
+        // With a peak as objective, the program has no quadratic term, so a quadratic distance between laws is added. The rows of the peak
+        // are removed, because the nearest law may have a larger peak.
         let mut distance = Quadratic::zero(&program.basis);
         for order in [0, 2] {
             distance.add_energy(&program.basis, order, program.length.powi(-2));
@@ -46,7 +47,7 @@ pub fn held(program: &Program, current: &Solution, at_size: &AtSize) -> Option<S
         let of_peak = |row: &Row| row.extra[PEAK] != 0.0;
         about.active.retain(|row| !of_peak(row));
     }
-    // The nearest law to the present one, so that the linearised curvature remains accurate.
+    // The distance from the present law is minimised, so that the linearised curvature remains accurate.
     let pulled = near.hessian.times(&current.x[..near.basis.columns()]);
     near.gradient = pulled.iter().map(|g| -g).collect();
     let sized = about.clone();

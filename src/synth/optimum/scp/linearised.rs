@@ -41,8 +41,8 @@ impl Room {
         self.each.get(limit).map_or(least, |own| own.max(least))
     }
 
-    /// Increases the margin of each violated limit by twice its violation, because minima of h move between iterations. Margins of satisfied
-    /// limits are unchanged.
+    /// Increases the margin of each slightly violated limit by twice its violation, because minima of h move between iterations. Margins of
+    /// satisfied limits are unchanged.
     pub fn widen(&mut self, clear: &[f64]) {
         self.each.resize(clear.len(), f64::NEG_INFINITY);
         for (own, clear) in self.each.iter_mut().zip(clear) {
@@ -92,7 +92,7 @@ pub fn linearised(
             if s.h > FAR * s.largest {
                 continue;
             }
-            // Σ −∂h·x ≤ h₀ − Σ ∂h·x₀, with room for the check.
+            // Σ −∂h·x ≤ h₀ − Σ ∂h·x₀, with a margin for the check.
             let mut bound = s.h
                 - room.of(k) * s.w
                 - s.by_lift * at.s
@@ -127,7 +127,7 @@ fn places(program: &Program, current: &Solution, law: &Law, limits: &NonconvexLi
             Peak::place(piece, u, dip.at)
         }));
     }
-    // A minimum moves from one law to the next: rows on both sides of a contact bracket it, as in a secant method.
+    // A minimum of h moves from one law to the next. Rows on both sides of an active point bracket the minimum, as in a secant method.
     let touched = current.active.iter().filter(|r| r.limit.is_none());
     for peak in touched.map(|r| r.peak) {
         let near = |p: &Peak| p.piece == peak.piece && (p.u - peak.u).abs() < COINCIDENT;
@@ -171,8 +171,8 @@ fn row(
     }
 }
 
-/// Rows of the sufficient restriction a + (2X₀/ρ − 1)X − X₀²/ρ ≥ 0 at the points of the grid. X₀ is the value of X for the last law, but at
-/// least 4ρ/3, for which the restriction is sufficient.
+/// Rows of the sufficient restriction a + (2X₀/ρ − 1)X − X₀²/ρ ≥ 0 at the points of the grid. The symbols are defined in the module `scp`.
+/// X₀ is the value of X for the last law, but at least 4ρ/3, for which the restriction is sufficient.
 pub fn restricted(program: &Program, current: &Solution, size: ProfileSize) -> Vec<Row> {
     let present = program.present();
     let law = Law::of(&program.basis, &current.x);

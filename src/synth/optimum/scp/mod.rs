@@ -46,14 +46,14 @@ pub fn refine(
     limits: NonconvexLimits,
     enough: impl Fn(&Solution) -> bool,
 ) -> Option<(Solution, Vec<Step>, Ended)> {
-    // Between the steps, a coarser tolerance than the change by the next step is sufficient.
+    // Between the steps, a coarse tolerance is sufficient, because the next step changes the law by more than this tolerance.
     let mut program = program.clone();
     program.settings.tolerance = STEP_TOLERANCE;
     let program = &program;
     let at_size = AtSize::new(limits, program);
     let start = start::best(program, starts, &at_size)?;
     let (mut current, steps, ended) = descended(program, start, &at_size, enough);
-    // A start without steps needs no final program if it satisfies the convex limits up to rounding errors.
+    // If no step was made and the start satisfies the convex limits up to rounding errors, no final program is necessary.
     let as_it_came = steps.is_empty() && current.violation <= TOLERANCE;
     let exact =
         || held(program, &current, &at_size).or_else(|| resolved(program, &current, &at_size));

@@ -36,9 +36,9 @@ pub fn best(program: &Program, starts: &[Solution], at_size: &AtSize) -> Option<
     })
 }
 
-/// The start itself if it is feasible. Otherwise, two steps are repeated until the limits are satisfied: the sufficient restriction is set up
-/// about the last law, and the optimum with this restriction is computed. For followers on an arm there is no such restriction, and the
-/// linearised limits are used instead. `None` if there is no progress.
+/// The start itself if it is feasible. Otherwise, two steps are repeated until the limits are satisfied. First, the sufficient restriction
+/// is set up about the last law. Then, the optimum with this restriction is computed. For followers on an arm there is no such restriction,
+/// and the linearised limits are used instead. `None` if there is no progress.
 pub fn feasible(program: &Program, start: &Solution, at_size: &AtSize) -> Option<Solution> {
     let mut current = start.clone();
     let (mut room, mut nearest, mut since) = (Room::above(0.0), f64::NEG_INFINITY, 0);
@@ -63,7 +63,7 @@ pub fn feasible(program: &Program, start: &Solution, at_size: &AtSize) -> Option
         let mut next = program.clone();
         next.fixed = match at_size.of(&current).profile {
             Some(Profile::Roller(size)) => {
-                // The sufficient restriction includes the curvature, not the loads.
+                // The sufficient restriction replaces only the curvature limit. Load limits remain linearised.
                 let mut rows = linearised(program, &current, at_size, &room);
                 rows.retain(|r| r.name != LimitKind::Curvature);
                 rows.extend(restricted(program, &current, size));

@@ -49,11 +49,11 @@ pub fn descended(
     (current, steps, Ended::MostSteps)
 }
 
-/// Outcome of a step.
+/// Outcome of a step of a sequence of convex programs.
 pub enum Outcome {
     /// The step was accepted. Contains the new solution and the record of the step.
     Taken(Solution, Step),
-    /// The step failed; a shorter one may succeed.
+    /// The step failed. A shorter step may succeed.
     Failed(Ended),
     /// No further step is worthwhile, or the time limit is reached.
     Finished(Ended),
@@ -90,7 +90,7 @@ pub fn step(program: &Program, current: &Solution, at_size: &AtSize, reach: &mut
     } else {
         let radius = |s: &Solution| at_size.of(s).size().prime_radius();
         let shrinks = 1.0 - radius(&target) / radius(current);
-        // Without a size the value is NaN, and the reach remains unchanged.
+        // Without a size, `shrinks` is NaN, and the infinite reach remains infinite.
         *reach = 0.5 * shrinks.min(*reach).max(0.0);
         let least = whole.as_ref().map_or(0.0, |(trial, _)| gained(trial));
         match shortened(program, current, &target, at_size, least) {
