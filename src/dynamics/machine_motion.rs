@@ -17,7 +17,8 @@ use crate::poly::samples;
 /// Number of equal parts of the period for the force on the floor and the motion of the floor.
 const SAMPLES: usize = 720;
 const FINE: usize = 4 * SAMPLES;
-/// Change of M z″ in one iteration, relative to the force at rest, below which the motions of shaft and floor count as consistent.
+/// Change of M z″ (mass times acceleration of the floor) in one iteration, relative to the force at rest. Below this value, the motions of
+/// shaft and floor count as consistent.
 const SAME: f64 = 1e-9;
 const UNSETTLED: f64 = 1e-6;
 
@@ -88,7 +89,8 @@ pub struct Parts<'a> {
 }
 
 impl<'a> Carrier<'a> {
-    /// Creates the machine of a cam. With a floor, `walker` is the force of one walker at equal parts of the period, N; otherwise it is empty.
+    /// Creates the machine of a cam. With a floor, `walker` returns the force of one walker at equal parts of the period, N. Without a
+    /// floor, it is not called.
     ///
     /// # Errors
     ///

@@ -51,7 +51,7 @@ impl Model {
 /// use gaitcam::dynamics::{Model, Run, simulate};
 /// use gaitcam::law::Law;
 ///
-/// // The face of an eccentric disc rubs at the speed of the disc's edge less that of the lift: power is torque times ω.
+/// // The power of the shaft is its torque times its speed, and the follower stays in contact.
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let outcome = simulate(&Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720), Model::Rigid)?;
 /// for row in &outcome.rows {
@@ -96,7 +96,7 @@ pub struct Row {
 /// use gaitcam::dynamics::{Model, Run, simulate};
 /// use gaitcam::law::Law;
 ///
-/// // M (g ± ω²e)
+/// // The extremes are M (g ± ω²e), with the mass M and the eccentricity e.
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let force = simulate(&Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720), Model::Rigid)?.force;
 /// assert!((force.min - 97.2).abs() < 1e-4 && (force.max - 99.0).abs() < 1e-4);
@@ -147,7 +147,7 @@ pub struct Torque {
 /// use gaitcam::dynamics::{Model, Run, simulate};
 /// use gaitcam::law::Law;
 ///
-/// // A stiff follower: the next finer model changes almost nothing.
+/// // With a stiff follower, the next finer model gives nearly the same force.
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let drive = Drive::moving_axis(10.0, 9.81, 3.0);
 /// let mut run = Run::new(cam, drive, 720);
@@ -182,7 +182,7 @@ pub struct Difference {
 /// use gaitcam::dynamics::{Model, Run, simulate};
 /// use gaitcam::law::Law;
 ///
-/// // M (g + ω²e) under a flat face, highest between two of 90 rows.
+/// // The maximum M (g + ω²e) lies between two of the 90 rows. M is the mass and e the eccentricity.
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.006, 0.008)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let loads = simulate(&Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 90), Model::Rigid)?.loads;
 /// assert!((loads.normal_force - 99.0).abs() < 1e-4 && loads.side_thrust == 0.0);
@@ -205,7 +205,7 @@ pub struct Loads {
 /// use gaitcam::dynamics::{Face, Model, Run, simulate};
 /// use gaitcam::law::Law;
 ///
-/// // An eccentric has constant curvature: the pressure is largest at the largest force, at its lowest point.
+/// // An eccentric has constant curvature, so the pressure is maximum at the maximum force, which occurs at the minimum lift.
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let mut run = Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720);
 /// run.machine.face = Some(Face { length: 0.012, cam: STEEL, follower: STEEL });
@@ -215,7 +215,7 @@ pub struct Loads {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pressure {
-    /// Cam angle of the pressure, rad.
+    /// Cam angle of the maximum pressure, rad.
     pub theta: f64,
     /// Line contact of cam and follower at this angle.
     pub contact: LineContact,
@@ -229,7 +229,7 @@ pub struct Pressure {
 /// use gaitcam::dynamics::{Model, Run, simulate};
 /// use gaitcam::law::Law;
 ///
-/// // M (g − ω²e) = 0 at ω = √(g/e)
+/// // The minimum force M (g − ω²e) is zero at ω = √(g/e), with the mass M and the eccentricity e.
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let outcome = simulate(&Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720), Model::Auto)?;
 /// assert!(!outcome.contact_lost);

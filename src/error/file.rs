@@ -23,9 +23,9 @@ pub enum FileError {
     CannotRead { fault: String },
     /// A file named in the scene does not exist.
     Missing { file: String },
-    /// The operating system cannot move the files into place.
+    /// The operating system cannot move the written files to their final names.
     CannotPlace { fault: String },
-    /// A file or folder that gaitcam did not write has a required name.
+    /// A file with the name of an output file exists, but gaitcam did not write it.
     Foreign,
     /// Another process has locked the folder.
     Held { process: Option<String> },

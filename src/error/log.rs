@@ -70,13 +70,13 @@ pub enum LogError {
     Changes { cycle: usize, percent: f64 },
     /// The alternating force is much smaller than expected.
     NoAlternating { found: Quantity, expected: Quantity },
-    /// The force is probably in another unit.
+    /// The unit of the force column is probably wrong.
     WrongUnit {
         unit: String,
         found: Quantity,
         expected: Quantity,
     },
-    /// The magnitude of the force differs from its expected value.
+    /// The magnitude of the force differs from its expected value, which the scene determines.
     OtherSize { found: Quantity, expected: Quantity },
     /// The force has the opposite sign.
     WrongSign,

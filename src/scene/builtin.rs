@@ -24,7 +24,7 @@ pub struct BuiltIn {
 }
 
 impl BuiltIn {
-    /// The scene, read from its text.
+    /// Reads the scene from its text.
     ///
     /// # Errors
     ///

@@ -5,14 +5,14 @@ use std::f64::consts::TAU;
 use crate::law::{Law, Svaj};
 use crate::poly::bernstein;
 
-/// Motion of a follower on an output profile.
+/// Motion of a follower, recovered from the points of an output profile.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
 /// use gaitcam::dynamics::recover;
 /// use gaitcam::law::Law;
 ///
-/// // The points of an eccentric disc give its harmonic back.
+/// // The lift recovered from an eccentric disc is its harmonic.
 /// let follower = Follower::FlatTranslating { base_radius: 0.02 };
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), follower)?;
 /// let emitted = recover(&follower, &cam.profile(360))?;

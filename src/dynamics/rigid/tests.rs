@@ -115,7 +115,7 @@ fn damping_alone_lifts_off_where_the_follower_moves_fastest_against_it() {
 
 #[test]
 fn a_steep_rise_under_much_damping_jumps_where_its_force_first_vanishes() {
-    // Damping presses on the rise, where inertia pulls most, and the fall is slow.
+    // Damping increases the force on the rise, where inertia reduces it most. The fall is slow.
     let segment = |lift: f64, degrees: f64| Segment {
         motion: Rise::Poly345,
         lift,
@@ -134,7 +134,7 @@ fn a_steep_rise_under_much_damping_jumps_where_its_force_first_vanishes() {
 
 #[test]
 fn a_jump_of_the_acceleration_pulls_from_its_own_side() {
-    // A gentle rise ends where the harmonic fall begins with −h π²/(2 β²), and the other way round.
+    // A cycloidal rise ends where the harmonic fall begins with −h π²/(2 β²). The second case has the opposite order.
     let segment = |motion: Rise, lift: f64, degrees: f64| Segment {
         motion,
         lift,
@@ -217,7 +217,7 @@ fn torque_with_friction_is_the_contacts_own_at_every_angle_and_in_both_turns() {
             let rub = 0.1 * speed.signum() * (reach(&cam.follower) + at.s);
             let known = drive.force(at) * (at.v + rub);
             assert!((curve.eval(theta) - known).abs() < 1e-12, "{theta}");
-            // The contact is of a cam that turns forwards.
+            // `touch_at` evaluates a cam that turns forwards.
             let own = touch_at(&cam, &drive, 0.1, theta).torque;
             assert!(speed < 0.0 || (own - known).abs() < 1e-12, "{theta}: {own}");
         }
@@ -254,7 +254,7 @@ fn thesis_eccentric_slides_at_0_465_metres_per_second() {
 
 #[test]
 fn a_flat_face_is_tipped_by_its_force_on_the_arm_of_the_contact() {
-    // The contact of an eccentric disc lies e cos θ beside the guide.
+    // The contact point of an eccentric disc is at the distance e cos θ from the line of the guide.
     let (cam, drive) = (thesis::eccentric(), thesis::real(20.0));
     let at = touch_at(&cam, &drive, 0.0, 0.7);
     let force = drive.force(cam.law.svaj(0.7));

@@ -16,7 +16,7 @@ use crate::law::Svaj;
 /// use gaitcam::dynamics::touch;
 /// use gaitcam::law::Svaj;
 ///
-/// // At rest on the base circle a face rubs at ω·Rb, and the force stands normal to it.
+/// // On the base circle, the face slides at the speed ω·Rb, and the normal force equals the force on the follower.
 /// let at = Svaj { s: 0.0, v: 0.0, a: 0.0, j: 0.0 };
 /// let found = touch(&Follower::FlatTranslating { base_radius: 0.03 }, 10.0, 0.0, at, 100.0);
 /// assert!((found.normal - 100.0).abs() < 1e-12 && (found.sliding.abs() - 0.3).abs() < 1e-12);
@@ -31,7 +31,8 @@ pub struct Touch {
     pub entraining: f64,
     /// Lateral force on the guides, or force along an arm towards its pivot, N.
     pub side_thrust: f64,
-    /// Tilting moment on a flat face about the point at which the guide's line passes the cam centre, N·m.
+    /// Moment that tilts a translating flat face, N·m: the force multiplied by the distance of the contact from the line of the guide. It
+    /// is 0 for other followers.
     pub tipping: f64,
     /// Torque of the shaft in the direction of increasing θ, N·m; for a translating cam the force along its travel, N.
     pub torque: f64,
@@ -97,7 +98,7 @@ impl<K: Kind> Pressed for K {
         let drag = friction * 1.0_f64.copysign(rubbing);
         // Under a negative force of the rigid model, friction also opposes the sliding.
         let pressed = dot(n, g) + drag * 1.0_f64.copysign(force) * dot(tangent, g);
-        // Where friction locks the follower, the force is divided by zero.
+        // Where friction locks the follower, the divisor is zero, and the normal force is infinite.
         let pressed = if pressed > 0.0 { pressed } else { 0.0 };
         let normal = if force == 0.0 { 0.0 } else { force / pressed };
         let rub = if drag == 0.0 {
@@ -109,7 +110,7 @@ impl<K: Kind> Pressed for K {
             normal * n[0] + rub * tangent[0],
             normal * n[1] + rub * tangent[1],
         ];
-        // Cam and follower have the same velocity along the normal: only friction adds to F·v.
+        // Cam and follower have the same velocity along the normal, so only friction adds to F·v.
         let torque = force * at.v + rub * rubbing;
         let forces = Forces {
             normal,
@@ -213,7 +214,7 @@ impl FollowerContact {
         let length = libm::hypot(at.v * own[0] - cam[0], at.v * own[1] - cam[1]);
         let radius = self.geometry.radius();
         let inner = 1.0 - radius * self.geometry.pitch_curvature(at);
-        // 1/(1/κ − R) + 1/R = 1/(R·(1 − κR)).
+        // With the curvature κ of the pitch curve and the roller radius R: 1/(1/κ − R) + 1/R = 1/(R·(1 − κR)).
         (length * inner, 1.0 / (radius * inner))
     }
 }

@@ -298,7 +298,7 @@ impl Prepared {
 fn phase_value(values: &[f64], part: f64) -> f64 {
     let n = values.len();
     let x = part.rem_euclid(1.0) * n as f64;
-    // A position that equals that of a sample up to rounding errors is the position of this sample.
+    // A position that differs from a sample only by rounding errors counts as this sample.
     let nearest = x.round();
     if (x - nearest).abs() < 1e-6 {
         return values[nearest as usize % n];

@@ -13,13 +13,13 @@ use crate::error::{DynamicsError, Result};
 use crate::law::{Law, Svaj};
 use crate::units::{Dimension, Quantity};
 
-/// Minimum and maximum number of integration steps between two rows, and number of steps per time constant of the motor.
+/// Minimum and maximum number of integration steps between two rows. Within this range, `PER_TIME_CONSTANT` sets the number.
 const SUBSTEPS: [f64; 2] = [2.0, 256.0];
 const PER_TIME_CONSTANT: f64 = 4.0;
 /// Relative difference between the available and the required torque of the motor above which the motor cannot follow the programme.
 const SAME_TORQUE: f64 = 1e-6;
 
-/// A cam that follows a programme, at the times of its rows.
+/// Motion, force and torque of a cam that follows a speed programme, at the times of the rows of the programme.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -27,7 +27,7 @@ const SAME_TORQUE: f64 = 1e-6;
 /// use gaitcam::dynamics::{ProgrammeRun, Run, SpeedProgramme};
 /// use gaitcam::law::Law;
 ///
-/// // An eccentric of 10 mm under 10 kg at constant speed: M (g − e ω² sin θ).
+/// // An eccentric of e = 10 mm lifts M = 10 kg at constant speed. The force is M (g − e ω² sin θ).
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let run = Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720);
 /// let even = SpeedProgramme::new(vec![0.0, 0.5, 1.0], vec![5.0; 3])?;

@@ -119,7 +119,7 @@ impl Key {
         (self.access.set)(scene, index, value)
     }
 
-    /// Numeric value of the key in a scene, in SI units; for a list, that of the first entry. `None` if there is no number.
+    /// Numeric value of the key in a scene, in SI units. In a list, it is the value of the first entry. `None` if there is no number.
     pub fn number(&self, scene: &Scene) -> Option<f64> {
         self.get(scene, 0).and_then(Value::number)
     }
@@ -216,7 +216,7 @@ impl Key {
         self
     }
 
-    /// Marks a key that each scene must contain, unless the key is restricted to other scenes.
+    /// Marks the key as required in every scene in which it is valid.
     pub(super) const fn required(mut self) -> Key {
         self.required = |_| true;
         self

@@ -338,8 +338,8 @@ fn no_face(scene: &Scene) -> Option<Idle> {
     (!has_face).then_some(Idle::Follower)
 }
 
-/// Reason for which a limit on the mean power has no effect, if the machine has neither damping nor a learned force, because its mean power is then
-/// 0; otherwise `None`.
+/// Reason for which a limit on the mean power has no effect; otherwise `None`. The mean power is 0 without damping and without a learned
+/// force.
 fn undamped(scene: &Scene) -> Option<Idle> {
     let gives_back = scene.drive.damping == 0.0 && scene.machine.learned_force.is_empty();
     gives_back.then_some(Idle::Drive)
@@ -365,8 +365,7 @@ fn rigid(scene: &Scene) -> Option<Idle> {
     (!is_flexible).then_some(Idle::RigidFollower)
 }
 
-/// Reason for which keys of the motor and the shaft have no effect, if no torque of the motor is given, because the speed is then constant;
-/// otherwise `None`.
+/// Reason for which keys of the motor and the shaft have no effect; otherwise `None`. Without a motor torque, the speed is constant.
 fn no_motor(scene: &Scene) -> Option<Idle> {
     (!scene.machine.motor.is_given()).then_some(Idle::NoMotor)
 }

@@ -94,7 +94,7 @@ impl Default for CamSpec {
 /// ```
 /// use gaitcam::scene::{CamSpec, KeywaySpec};
 ///
-/// // DIN 6885-1 gives a bore of 12 mm a keyway of 4 mm.
+/// // DIN 6885-1 specifies a keyway of 4 mm for a bore of 12 mm.
 /// let cam = CamSpec { keyway: Some(KeywaySpec::Auto), bore: Some(0.012), ..CamSpec::default() };
 /// assert_eq!(cam.hole().unwrap().keyway.unwrap().width, 0.004);
 /// ```

@@ -4,8 +4,8 @@ use std::ops::{Index, IndexMut};
 
 use crate::cam::LimitKind;
 
-/// Limits of the design in SI units, indexed by [`LimitKind`]; `None`: no limit. [`LimitKind::PressureAngle`] is one bound for rise and fall, so
-/// [`Limits::set`] and [`Limits::with`] set both.
+/// Limits of the design in SI units, indexed by [`LimitKind`]; `None`: no limit. [`LimitKind::PressureAngle`] is one bound for rise and
+/// fall, so [`Limits::set`] and [`Limits::with`] set the bounds of rise and fall.
 ///
 /// ```
 /// use gaitcam::LimitKind;
