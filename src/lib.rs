@@ -20,8 +20,8 @@
 //!             ρ(s, v, a, D, e) ≥ ρ_min, all θ  roller curvature: a sequence of the above
 //! ```
 //!
-//! The jerk is j = d³s/dθ³, and wₖ are the weights of the derivatives s⁽ᵏ⁾ in a limit. Rp is the prime radius, e the offset of the
-//! follower, and D the height of the prime circle above the cam centre on the line of the follower. The maximum pressure angle is φ, and ρ
+//! The jerk is j = d³s/dθ³, and wₖ are the weights of the derivatives s⁽ᵏ⁾ in a limit. Rp is the prime radius, and e is the offset of the
+//! follower. D is the height of the prime circle above the cam centre, on the line of the follower. The maximum pressure angle is φ, and ρ
 //! is the radius of curvature of the profile.
 //!
 //! # Example

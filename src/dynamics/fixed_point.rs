@@ -28,7 +28,7 @@ pub struct Settled<D> {
     pub made: Option<Vec<f64>>,
     /// Number of designs that were computed.
     pub rounds: usize,
-    /// Ratio of the last two residuals.
+    /// Ratio of the last residual to the previous residual; `None` after a single iterate.
     pub contraction: Option<f64>,
     /// Residual of the final iterate: maximum difference between the assumed state and the caused state.
     pub difference: f64,

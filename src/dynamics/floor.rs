@@ -26,7 +26,7 @@ const POINTS: usize = 4096;
 /// Cosine and sine amplitudes of one harmonic.
 pub type Term = (f64, f64);
 
-/// A mode of the structure.
+/// Vibration mode of a structure.
 ///
 /// ```
 /// use gaitcam::dynamics::FloorMode;
@@ -42,7 +42,7 @@ pub struct FloorMode {
     pub mass: f64,
     /// Natural frequency of the mode, Hz.
     pub frequency: f64,
-    /// Damping ratio of the mode.
+    /// Damping ratio of the mode, relative to critical damping.
     pub damping: f64,
     /// Ordinate of the mode shape at the feet.
     pub ordinate: f64,
@@ -64,7 +64,7 @@ pub struct FloorMode {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Floor {
-    /// Modes of the floor.
+    /// Vibration modes of the structure.
     pub modes: Vec<FloorMode>,
     /// Phase, rad, and weight relative to the shaker, for every walker. The first walker is the shaker.
     pub walkers: Vec<(f64, f64)>,

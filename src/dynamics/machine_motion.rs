@@ -44,7 +44,7 @@ pub struct Carrier<'a> {
 /// Steady motion of shaft and floor.
 #[derive(Debug, Clone)]
 pub struct MachineMotion {
-    /// Motion of the shaft.
+    /// Motion of the shaft over one turn.
     pub shaft: Motion,
     /// Harmonics of the acceleration of the floor over the period, m/s²; empty for a rigid floor.
     pub floor: Vec<Term>,
@@ -133,7 +133,7 @@ impl Carrier<'_> {
         [1.0, -1.0].map(|force| force * contact.torque(self.friction, at, force))
     }
 
-    /// Load of the shaft over a turn from the cam angle `start`, rad. `at` is the motion of the follower at a cam angle; it is smooth
+    /// Load of the shaft over a turn from the cam angle `start`, rad. `at` is the motion of the follower at a cam angle. It is smooth
     /// between `breaks`. `floor` is the acceleration of the floor, m/s², at an angle measured from `start`, rad.
     pub fn load(
         &self,

@@ -72,11 +72,11 @@ pub struct Row {
     pub contact_force: f64,
     /// Torque of the shaft in the direction of increasing θ, N·m.
     pub torque: f64,
-    /// Power of the shaft, W.
+    /// Power of the shaft, W: torque times speed.
     pub power: f64,
     /// Height of the moved mass above its position on the base circle, m.
     pub lift: f64,
-    /// Gap between mass and cam, m.
+    /// Gap between mass and cam, m; 0 in contact.
     pub gap: f64,
     /// Force normal to the surfaces, N; for a barrel at the floor of the groove, where it is maximum.
     pub normal_force: f64,
@@ -161,13 +161,13 @@ pub struct Torque {
 pub struct Difference {
     /// Model that is compared with the selected one.
     pub model: Model,
-    /// Difference of the minimum forces, N.
+    /// Change of the minimum force relative to the selected model, N.
     pub force_min: f64,
-    /// Difference of the maximum forces, N.
+    /// Change of the maximum force relative to the selected model, N.
     pub force_max: f64,
-    /// Difference of the RMS errors, N.
+    /// Change of the RMS force error relative to the selected model, N; `None` without a target.
     pub rms_error: Option<f64>,
-    /// Difference of the fractions of the cycle without contact.
+    /// Change of the fraction of the cycle without contact, relative to the selected model.
     pub lost_fraction: f64,
     /// Error that prevented the simulation with the finer model, if any.
     pub failed: Option<Error>,
@@ -190,9 +190,9 @@ pub struct Difference {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Loads {
-    /// Force normal to the surfaces, N.
+    /// Maximum force normal to the surfaces, N.
     pub normal_force: f64,
-    /// Lateral force on the guides, N.
+    /// Maximum lateral force on the guides, N.
     pub side_thrust: f64,
 }
 
@@ -246,15 +246,15 @@ pub struct Outcome {
     pub lever: f64,
     /// Reason for which this model was used.
     pub why: ModelReason,
-    /// Whether the follower loses contact.
+    /// Whether the follower loses contact, or permanent contact would need a negative force; false if it is constrained from both sides.
     pub contact_lost: bool,
     /// Fraction of the period without contact.
     pub lost_fraction: f64,
-    /// Extremes of the contact force.
+    /// Extremes of the contact force, and RMS error of the force, N.
     pub force: Force,
-    /// Maximum loads of the bearings.
+    /// Maximum normal force and maximum lateral force, N.
     pub loads: Loads,
-    /// Extremes of the shaft torque.
+    /// Extremes, mean and root mean square of the shaft torque, N·m.
     pub torque: Torque,
     /// Lowest speed at which the follower lifts off, rad/s; `None` if it never lifts off.
     pub liftoff_speed: Option<f64>,
@@ -266,7 +266,7 @@ pub struct Outcome {
     pub shaft: Option<Shaft>,
     /// Motion of the floor; `None` for a rigid floor.
     pub floor: Option<FloorMotion>,
-    /// Difference between force and target over time, if the run has a target.
+    /// Difference between force and target over time; `None` without a target or for constant speed.
     pub force_time: Option<InTime>,
     /// Landings of the whole run, including the initial turns.
     pub impacts: Vec<Impact>,

@@ -31,8 +31,8 @@ pub struct Machine {
     pub conjugate: Option<Cam>,
     /// Line contact, used to compute the contact pressure.
     pub face: Option<Face>,
-    /// Radius of the floor of a barrel's groove, m, where the normal force on the roller is maximum; `None` if the contact is computed at the radius
-    /// of the follower.
+    /// Radius of the floor of a barrel's groove, m, where the normal force on the roller is maximum. If it is `None`, the contact is
+    /// computed at the radius of the follower.
     pub groove_floor: Option<f64>,
     /// Motor of the shaft; `None` for constant speed.
     pub motor: Option<Motor>,
@@ -45,7 +45,7 @@ pub struct Machine {
     pub limits: Limits,
 }
 
-/// Cylindrical surfaces in line contact.
+/// Length and materials of the line contact between cam and follower.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};

@@ -85,7 +85,7 @@ pub enum DynamicsError {
     FewProgrammeRows { rows: usize },
     /// The time of a row of a speed programme does not increase, or its speed is not positive.
     ProgrammeRow { row: usize },
-    /// A speed programme requires a rotating cam.
+    /// A speed programme requires a rotating cam whose law closes in one turn.
     ProgrammeTurns,
     /// No speed programme satisfies the limit on the acceleration.
     ProgrammeAcceleration { most: Quantity },

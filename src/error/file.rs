@@ -4,7 +4,7 @@ use gaitcam_base::wording::InLanguages;
 use serde::Serialize;
 use strum::VariantNames;
 
-/// Errors of a file or folder. Text fields come from the operating system.
+/// Errors of a file or folder. The field `fault` contains the text of the operating system or of the parser.
 ///
 /// ```
 /// use gaitcam::error::{FileError, Placed};
@@ -25,7 +25,7 @@ pub enum FileError {
     Missing { file: String },
     /// The operating system cannot move the written files to their final names.
     CannotPlace { fault: String },
-    /// A file with the name of an output file exists, but gaitcam did not write it.
+    /// A file or folder that gaitcam did not write has the name of an output file.
     Foreign,
     /// Another process has locked the folder.
     Held { process: Option<String> },

@@ -122,7 +122,7 @@ pub enum SceneError {
     Harmonics { given: usize, most: usize },
     /// Neither a recording nor a model is given.
     NoForceNamed,
-    /// The range of weighted phases is empty.
+    /// The range of a phase weight is empty or lies outside the cycle.
     NoPhases { from: Quantity, to: Quantity },
     /// Every phase has weight zero.
     NothingWeighed,
@@ -130,7 +130,7 @@ pub enum SceneError {
     WeighRemoved,
     /// The objective refers to a force, but the scene has no force.
     NoForceToFollow,
-    /// The objective weights the size of the cam, but the size is given.
+    /// The objective is the size of the cam, but the size of this kind of cam is not optimised together with the law.
     SizeNotFree,
     /// The degree of a spline is outside its range.
     SplineDegree { typed: String },

@@ -12,7 +12,7 @@ use crate::wording::InLanguages;
 /// Maximum number of names in a message.
 const LISTED: usize = 12;
 
-/// File name extensions of tables.
+/// File name extensions of tables of walkers, in lower case.
 const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
 
 /// Reads a population file by file. Errors of files are collected and reported at the end.
@@ -127,7 +127,7 @@ pub(super) fn is_table_of_walkers(path: &Path, bytes: &[u8]) -> bool {
     TABLES.contains(&ending.to_lowercase().as_str()) && force::is_population(bytes)
 }
 
-/// The walker of a single recording.
+/// Reads one recording as one walker, with the name of the file without its extension.
 fn cycle(
     gait: &Gait,
     path: &Path,

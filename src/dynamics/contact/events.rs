@@ -29,7 +29,7 @@ struct Engine<'a> {
     surfaces: &'a [Surface],
     drive: &'a Drive,
     restitution: f64,
-    /// Damping γ of the free motion y″ + γ y′ + κ y + f = 0, per radian. y is the height; κ is the field `kappa`, and f is `push`.
+    /// Damping γ of the free motion y″ + γ y′ + κ y + f = 0, per radian. The height is y, κ is the field `kappa`, and f is `push`.
     gamma: f64,
     kappa: f64,
     push: f64,

@@ -41,7 +41,7 @@ impl Flight {
     /// Upper bound of −y″ at all later angles, m/rad².
     pub fn steepest_fall(&self) -> f64 {
         if self.kappa == 0.0 {
-            // y″ decays from its first value.
+            // y″ decays from its initial value, so this value determines the bound.
             return (-self.curvature).max(0.0);
         }
         // y″ satisfies the same homogeneous equation, so (y″)² + (y‴)²/κ does not increase.
@@ -49,8 +49,8 @@ impl Flight {
         libm::hypot(self.curvature, third / self.kappa.sqrt())
     }
 
-    /// S, S′ and ∫S at the angle `t` since the start, rad. S solves y″ + γ y′ + κ y = 0 with S(0) = 0 and S′(0) = 1; ∫S is its integral
-    /// from 0.
+    /// S, S′ and ∫S at the angle `t` since the start, rad. S solves y″ + γ y′ + κ y = 0 with S(0) = 0 and S′(0) = 1. ∫S is the integral of
+    /// S from 0.
     fn fundamental(&self, t: f64) -> (f64, f64, f64) {
         if self.gamma == 0.0 && self.kappa == 0.0 {
             return (t, 1.0, 0.5 * t * t);

@@ -81,7 +81,7 @@ impl Linear {
             return None;
         }
         let last = once.last().copied().unwrap_or_default();
-        // At the start of a turn the state is z₀ + kick; `once` contains the kick alone.
+        // The state at the start of a turn is z₀ + kick(0). `once` is computed with z₀ = 0.
         let start = closing.lu().solve(&last)?;
         Some(run(&steps, forcing, start + kick(0), &kick))
     }

@@ -41,8 +41,8 @@ const COMPARED: usize = 720;
 ///
 /// # Errors
 ///
-/// Invalid stiffness or damping; an open law; a target law with a jump in one of its first four derivatives (fewer without mass), because the
-/// acceleration of the cam would jump.
+/// Invalid stiffness or damping; an open law; a target law with a jump in one of its first four derivatives (fewer without mass). Such a
+/// jump would cause a jump in the acceleration of the cam.
 pub fn polydyne(target: &Law, drive: &Drive, train: &Train) -> Result<Law> {
     train.check()?;
     let Train { stiffness, damping } = *train;
@@ -127,8 +127,8 @@ fn hermite(width: f64, start: [f64; 4], end: [f64; 4]) -> [f64; 8] {
     [a, b, c, d, e, f, g, h]
 }
 
-/// Complex ratio of the cam's lift s to the motion y of the follower end for e^{irθ}: 1 + (k − m r²ω² + i r c ω)/(k₁ + i r c₁ ω), as real
-/// and imaginary part.
+/// Complex ratio of the cam's lift s to the motion y of the follower end for e^{irθ}, as real and imaginary part. The ratio is 1 + (k − m
+/// r²ω² + i r c ω)/(k₁ + i r c₁ ω).
 fn gain(rate: f64, drive: &Drive, stiffness: f64, damping: f64) -> (f64, f64) {
     let [k, c, m, _] = drive.weights();
     let (re, im) = (k - m * rate * rate, c * rate);

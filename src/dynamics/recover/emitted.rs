@@ -24,7 +24,7 @@ use crate::poly::bernstein;
 pub struct Emitted {
     /// Lift above the base circle (prime circle): polynomials of degree 4 between the angles of the points, C³ at all points except the breakpoints.
     pub law: Law,
-    /// Lift and derivatives at the points.
+    /// Lift and its derivatives at the points of the profile.
     pub nodes: Vec<Svaj>,
     /// Maximum difference between the lift of a point and the recovered lift, m. It is caused by noise, rounding, or rows that are not
     /// contact points.
@@ -47,7 +47,7 @@ impl Cycle {
         closed: true,
     };
 
-    /// Extent of the law of a cam.
+    /// Length of a law, and whether the law is closed.
     pub fn of(law: &Law) -> Cycle {
         Cycle {
             length: law.extent().1,

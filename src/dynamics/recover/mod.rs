@@ -158,7 +158,7 @@ fn refuse_concave(emitted: &Emitted, face: &Follower, start: f64, step: f64) -> 
 /// Quartic C³ lift with the given slopes at the nodes. Its mean over the nodes equals the mean of the heights.
 fn from_heights(start: f64, step: f64, closed: bool, heights: &[f64], slopes: &[f64]) -> Emitted {
     let n = heights.len();
-    // The mean slope of a closed lift is zero: the mean caused by noise is subtracted.
+    // The mean slope of a closed lift is zero. A mean slope that noise causes is subtracted.
     let drift = if closed {
         slopes.iter().sum::<f64>() / n as f64
     } else {

@@ -10,8 +10,8 @@ pub fn spline_slopes(values: &[f64], step: f64, closed: bool) -> Vec<f64> {
     }
 }
 
-/// Slopes mᵢ at the nodes of the periodic C² cubic spline through equally spaced values yᵢ:
-/// mᵢ₋₁ + 4mᵢ + mᵢ₊₁ = 3(yᵢ₊₁ − yᵢ₋₁)/step, by elimination with one cyclic correction.
+/// Slopes mᵢ at the nodes of the periodic C² cubic spline through equally spaced values yᵢ. They solve mᵢ₋₁ + 4mᵢ + mᵢ₊₁ = 3(yᵢ₊₁ −
+/// yᵢ₋₁)/step. The method is elimination with one cyclic correction.
 pub fn periodic_slopes(values: &[f64], step: f64) -> Vec<f64> {
     let n = values.len();
     let right = |i: usize| 3.0 * (values[(i + 1) % n] - values[(i + n - 1) % n]) / step;

@@ -7,7 +7,7 @@ pub fn slopes_known(follower: &Follower) -> bool {
     follower.is_flat() || follower.roller_radius() > 0.0
 }
 
-/// Lift above the base circle (prime circle), m (rad for an arm), and slope of the lift for a contact at `point`; `None` if the follower
+/// Lift above the base circle (prime circle), m (rad for an arm), and slope of the lift for a contact at `point`. `None` if the follower
 /// cannot reach the point. A contact point does not determine the slope of a knife edge, which is returned as 0.
 pub fn height_and_slope(follower: &Follower, point: &ProfilePoint) -> Option<(f64, f64)> {
     let frame = Geometry::new(follower).frame(point.theta);
@@ -35,8 +35,8 @@ pub fn height_and_slope(follower: &Follower, point: &ProfilePoint) -> Option<(f6
 }
 
 /// Lift and slope of a translating follower with a roller or arc that touches the profile at `p`. The centre of the circle is above `p` on
-/// the line x = e, with the offset e. The vector (side, up) from `p` to the centre is perpendicular to the tangent of the pitch curve:
-/// Y·side + (Y′ − e)·up = 0, where Y is the height of the centre.
+/// the line x = e, with the offset e. The vector (side, up) from `p` to the centre is perpendicular to the tangent of the pitch curve. With
+/// the height Y of the centre, this condition is Y·side + (Y′ − e)·up = 0.
 fn above(p: [f64; 2], offset: f64, radius: f64, rest: f64) -> (f64, f64) {
     if radius == 0.0 {
         return (p[1] - rest, 0.0);

@@ -63,7 +63,7 @@ pub struct FollowerContact {
     /// Angle of the arm at s = 0, rad.
     start: Option<f64>,
     is_flat: bool,
-    /// Whether the surfaces slide on each other.
+    /// Whether the surfaces slide on each other; false for a roller.
     rubs: bool,
 }
 
@@ -77,7 +77,7 @@ struct Forces {
     torque: f64,
 }
 
-/// Force formulas of a kind of follower.
+/// Contact forces for one kind of follower.
 trait Pressed: Kind {
     /// Contact and forces at one point of the motion, with friction between the surfaces. The normal force is infinite if friction locks the
     /// follower.
@@ -129,7 +129,7 @@ impl<K: Kind> Pressed for K {
 }
 
 impl FollowerContact {
-    /// Contact formulas of a follower.
+    /// Prepares the contact formulas of a follower.
     pub fn of(follower: &Follower) -> FollowerContact {
         let pivot = follower.pivot();
         FollowerContact {
@@ -205,7 +205,7 @@ impl FollowerContact {
     /// Signed speed of the contact along the profile per unit of θ, m/rad, and sum of the curvatures of cam and follower, 1/m.
     fn walk(&self, contact: &Contact, at: Svaj) -> (f64, f64) {
         if self.is_flat {
-            // The face rotates with the arm, opposite to the cam.
+            // The face turns with the arm. For a pivot on +x, it turns in the direction opposite to the cam.
             let turning = 1.0 + self.pivot.map_or(0.0, |_| self.side * at.v);
             return (contact.rho * turning, 1.0 / contact.rho);
         }
@@ -219,8 +219,8 @@ impl FollowerContact {
     }
 }
 
-/// Contact at one point of the motion of `follower`, for `force` on the follower (N; for an arm the moment about its pivot, N·m), at the cam speed
-/// `speed`, rad/s. Speed and friction are negative for backward rotation.
+/// Contact at one point of the motion of `follower`. `force` acts on the follower, N; for an arm, it is the moment about the pivot, N·m.
+/// `speed` is the cam speed, rad/s. Speed and friction are negative for backward rotation.
 pub fn touch(follower: &Follower, speed: f64, friction: f64, at: Svaj, force: f64) -> Touch {
     FollowerContact::of(follower).at(speed, friction, at, force)
 }

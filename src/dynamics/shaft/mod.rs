@@ -26,7 +26,7 @@ const MARGIN: f64 = 1.02;
 /// Work, relative to J Ω² (inertia J and mean speed Ω), below which it counts as a rounding error.
 const ROUNDING: f64 = 1e-9;
 
-/// Steady motion of the shaft.
+/// Steady motion of the motor-driven shaft: speeds, torques and required inertia.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -67,7 +67,7 @@ pub struct Shaft {
     pub motor_torque_max_n_m: f64,
     /// Mean power of the motor, W.
     pub motor_power_mean_w: f64,
-    /// Angle between the minimum lift, at which the shaft starts from rest, and the point at which it stops, rad; `None` if it does not stop.
+    /// Angle that the shaft turns from rest at the minimum lift until it stops, rad; `None` if it does not stop.
     pub stops_at_rad: Option<f64>,
     /// Minimum inertia, kg·m², with an accuracy of 1 %, for which the shaft does not stop at the mean speed; 0 if any inertia is sufficient.
     pub least_inertia_kg_m2: f64,

@@ -33,7 +33,7 @@ const EVEN: f64 = 0.1;
 pub struct Steady {
     /// Energy ω²/2 at the stages of the steps, rad²/s².
     stages: Vec<[f64; STAGES]>,
-    /// No-load speed of the motor, rad/s.
+    /// No-load speed of the motor, referred to the camshaft, rad/s.
     pub no_load: f64,
     /// Energy ω²/2 at the start of every step, and at the end of the turn, rad²/s².
     pub energy: Vec<f64>,

@@ -172,7 +172,8 @@ impl Load {
         Load { steps }
     }
 
-    /// Mean torque over the turn at a constant speed, N·m, and the work of the deviation from this mean up to the end of each step, J.
+    /// Mean torque over the turn at a constant speed, N·m. The second value is the work of the deviation from this mean up to the end of
+    /// each step, J.
     pub fn at_constant_speed(&self, speed: f64) -> (f64, Vec<f64>) {
         let energy = 0.5 * speed * speed;
         let (mut work, mut angle) = (0.0, 0.0);

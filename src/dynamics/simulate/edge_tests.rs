@@ -45,7 +45,7 @@ fn leaning_force(theta: f64, speed: f64, stiffness: f64, damping: f64) -> f64 {
         let (c, d) = (stiffness - inertia, damping * nw);
         let square = c * c + d * d;
         let (re, im) = ((a * c + b * d) / square, (b * c - a * d) / square);
-        // Y = cos − i sin.
+        // Complex amplitude Y = cos − i sin.
         let (y_re, y_im) = (cos * re + sin * im, cos * im - sin * re);
         let phase = (k + 1) as f64 * theta;
         force -= inertia * (y_re * phase.cos() - y_im * phase.sin());
@@ -201,7 +201,8 @@ fn a_machine_without_force_is_said_to_have_none() {
     assert!(out.contact_lost && !why.contains('–'), "{why}");
 }
 
-/// Fluid on a cam with a dwell. In the dwell, the lift of the emitted points is zero within the error of their spline; this is not a lift-off.
+/// Fluid on a cam with a dwell. In the dwell, the lift of the emitted points is zero within the error of their spline. This error must not
+/// count as a lift-off.
 #[test]
 fn a_dwell_known_to_rounding_is_no_pull() {
     let segment = |motion: &str, lift: f64| Segment {

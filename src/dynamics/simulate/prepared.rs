@@ -25,7 +25,7 @@ pub(super) struct Prepared {
     pub lift: Law,
     /// Angles at which derivatives of the lift may jump.
     pub breaks: Vec<f64>,
-    /// Motion at the angles of the rows.
+    /// Lift and its derivatives at the angles of the rows.
     pub nodes: Vec<Svaj>,
     /// Lift of the conjugate cam.
     pub second: Option<Law>,

@@ -53,14 +53,14 @@ pub struct ProgrammeRun {
     pub force_n: Vec<f64>,
     /// Torque at the camshaft, N·m: torque of the motor if there is one, otherwise torque of the load.
     pub torque: Vec<f64>,
-    /// Whether the follower leaves the cam.
+    /// Whether the contact force is negative at a row, so that the follower leaves the cam.
     pub contact_lost: bool,
 }
 
 impl ProgrammeRun {
     /// Simulates a cam that follows a speed programme. The lift is recovered from the output profile. `start` is the cam angle at the first
-    /// row of the programme, rad. With a motor, the programme is the commanded no-load speed; without one, it is the speed of the shaft.
-    /// The model is rigid.
+    /// row of the programme, rad. With a motor, the programme is the commanded no-load speed. Without a motor, it is the speed of the
+    /// shaft. The model is rigid.
     ///
     /// # Errors
     /// The cam is not closed, no smooth lift can be recovered from the output profile, or the shaft of the motor stops.
@@ -176,8 +176,8 @@ impl<'a> Follower<'a> {
         }
     }
 
-    /// No-load speed of the motor at the rows of a prescribed run, rad/s, for which the torque of the motor is the torque of the run.
-    /// Without a motor, it is the speed of the run.
+    /// No-load speed of the motor at the rows of a prescribed run, rad/s. At this speed, the torque of the motor equals the torque of the
+    /// run. Without a motor, the result is the speed of the run.
     ///
     /// # Errors
     /// The motor does not reach the torque or the no-load speed.

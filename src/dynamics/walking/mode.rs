@@ -14,7 +14,7 @@ use crate::poly::amplitudes;
 /// Number of equally spaced natural frequencies of the mode, and their range relative to the step frequency.
 const TUNINGS: usize = 401;
 const BAND: [f64; 2] = [0.9, 1.1];
-/// Number of harmonics of the stride frequency; the response to higher harmonics is negligible.
+/// Number of harmonics of the stride frequency. The response to higher harmonics is negligible.
 const OF_STRIDE: usize = 48;
 
 /// Spectral lines of a periodically repeated force.
@@ -139,7 +139,7 @@ impl RepeatedForce {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Misfit {
-    /// Damping ratio of the mode.
+    /// Damping ratio of the mode, relative to critical damping.
     pub damping_ratio: f64,
     /// Mean of |ln(response ratio)| over natural frequencies from 0.9 to 1.1 times the step frequency.
     pub misfit: f64,
@@ -151,8 +151,8 @@ pub struct Misfit {
 mod tests {
     use super::*;
 
-    /// Mean square acceleration of the last repeats of a mode of 1 kg under a force that is linear between its samples, integrated with the exact
-    /// step of a linear oscillator.
+    /// RMS acceleration of a mode of 1 kg in the last repetition of a force that is linear between its samples. The integration uses the
+    /// exact step of a linear oscillator.
     fn integrated(force: &[f64], duration_s: f64, mode_hz: f64, damping_ratio: f64) -> f64 {
         let (w, z) = (TAU * mode_hz, damping_ratio);
         let h = duration_s / force.len() as f64;

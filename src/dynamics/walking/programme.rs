@@ -106,8 +106,8 @@ impl Followed {
     /// fraction `middle` of the cycle.
     ///
     /// # Errors
-    /// The cam violates a bound even at constant speed, the motor cannot follow the programme, or the rigid model does not support the cam
-    /// or the machine.
+    /// The cam violates a bound even at constant speed; the motor cannot follow the programme; the rigid model does not support the cam or
+    /// the machine.
     pub fn new(
         run: &Run,
         walk: &Walk,

@@ -124,8 +124,8 @@ impl Key {
         self.get(scene, 0).and_then(Value::number)
     }
 
-    /// Sets a number in a scene, in SI units, without reading the scene again. It is used in sweeps. Returns `false` if the number cannot be set in
-    /// this way; the scene must then be read again from its changed table.
+    /// Sets a number in a scene, in SI units, without reading the scene again. It is used in sweeps. Returns `false` if the number cannot
+    /// be set in this way. The scene must then be read again from its changed table.
     pub fn set_number(&self, scene: &mut Scene, index: usize, value: f64) -> bool {
         let there = self.get(scene, index).is_some() || self.list().is_none();
         self.direct

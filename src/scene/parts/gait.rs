@@ -48,7 +48,7 @@ impl Default for Source {
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Gait {
-    /// Source of the target force.
+    /// Source of the target force: a recording, a load model or load factors.
     pub source: Source,
     /// Number of steps per second for a load model, Hz; `None`: the usual frequency of the model.
     pub step_frequency: Option<f64>,

@@ -104,13 +104,13 @@ impl ShaftSpeed {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Minimise {
-    /// Mean square error of the force.
+    /// Mean square difference between force and target force.
     ForceError,
     /// Mean square of the derivative of the lift of this order (2 acceleration, 3 jerk, 4 snap).
     Energy(usize),
     /// Maximum magnitude of the derivative of the lift of this order.
     Peak(usize),
-    /// Maximum magnitude of the force error.
+    /// Maximum absolute difference between force and target force.
     PeakForceError,
     /// Size of the cam: radius of the base circle for a flat face, of the prime circle for a roller. Law and size are variables of one program.
     Size,
@@ -251,7 +251,7 @@ impl SegmentSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct LawSpec {
-    /// Family of the law.
+    /// Family of functions to which the law belongs.
     pub family: Family,
     /// Degree of the spline (`None`: 5, or 7 for a polydyne cam with damping), or of the polynomial (`None`: determined by the points).
     pub degree: Option<usize>,

@@ -32,7 +32,7 @@ pub struct MachineSpec {
     pub natural_frequency: Option<f64>,
     /// Stiffness of the follower train, N/m (N·m/rad for an arm), as an alternative to the natural frequency.
     pub stiffness: Option<f64>,
-    /// Damping ratio of the follower train.
+    /// Damping ratio of the follower train, relative to critical damping.
     pub damping_ratio: f64,
     /// Coefficient of sliding friction in the contact of cam and follower.
     pub friction: f64,

@@ -59,7 +59,7 @@ pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     Ok(out)
 }
 
-/// Fraction of the cycle with a negative force on the surface; a force of 0 is not negative.
+/// Fraction of the cycle with a negative force on the surface. A force of 0 is not negative.
 fn pulled_share(surface: &Surface, p: &Prepared) -> f64 {
     let pulled = surface.pulls.iter().fold(0.0, |sum, (a, b)| sum + b - a);
     pulled / p.cycle.length
