@@ -260,7 +260,7 @@ impl Floor {
         still: &[Term],
         others: &[Term],
     ) -> Result<Vec<Term>> {
-        // All feet load the floor: where the shaker exerts no force at a harmonic, the other walkers may exert one.
+        // The feet of all walkers load the floor. Where the shaker exerts no force at a harmonic, the other walkers may exert one.
         let size = |(a, b): &Term| libm::hypot(*a, *b);
         let both = still.iter().zip(others);
         let either: Vec<Term> = both.map(|(p, o)| (size(p), size(o))).collect();

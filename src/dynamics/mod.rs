@@ -8,7 +8,7 @@
 //! - `machine_motion`: the rigid follower with a motor-driven shaft or a moving floor;
 //! - [`contact`]: lift-off, flight, impact and rest, event by event.
 //!
-//! The simplest sufficient model is selected automatically, with the reason.
+//! By default, the simplest sufficient model is selected, and the reason is reported.
 
 pub mod contact;
 pub(crate) mod fixed_point;

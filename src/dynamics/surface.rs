@@ -65,7 +65,7 @@ impl Surface {
         self.law.svaj(angle)
     }
 
-    /// First range of negative force that ends after `angle`. Its limits are angles that increase over several turns, as `angle` does.
+    /// First range of negative force that ends after `angle`. Like `angle`, the angles of the range increase over several turns.
     pub fn next_pull(&self, angle: f64) -> Option<(f64, f64)> {
         let turn = ((angle - self.start) / TAU).floor();
         (-1..=1)

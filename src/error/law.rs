@@ -252,7 +252,7 @@ pub enum JoinCure {
     /// Both segments move in the same direction. If the length of one segment is changed to `length`, the velocities at the joint are
     /// equal.
     LetCover {
-        /// The segment to change.
+        /// Segment whose length must be changed.
         segment: SegmentName,
         /// New length of the segment.
         length: Quantity,

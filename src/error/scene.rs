@@ -136,7 +136,7 @@ pub enum SceneError {
     SplineDegree { typed: String },
     /// The minimised derivative is zero between the knots for laws of this degree.
     DegreeBelowObjective { degree: usize, order: usize },
-    /// A condition is given that only splines support.
+    /// A key is given that only splines support.
     OnlySplines { family: &'static str },
     /// A programme has no segments.
     ProgramWithoutSegments,

@@ -169,7 +169,7 @@ impl Gait {
     }
 }
 
-/// Whether a file is a table of subjects, by its name.
+/// Whether the name of a file denotes a table of subjects.
 fn is_about_subjects(file: &Path) -> bool {
     let stem = file.file_stem().unwrap_or_default().to_string_lossy();
     stem.to_lowercase().ends_with("metadata")

@@ -108,7 +108,7 @@ impl<'a> PopulationReader<'a> {
         }
     }
 
-    /// Mean force of the walkers, with the population that was read.
+    /// Mean force of all walkers that were read. The result contains the population.
     ///
     /// # Errors
     ///

@@ -52,7 +52,7 @@ pub struct Steady {
 /// Linear system of a train, its polynomial input and the conversion to forces.
 struct Model {
     linear: Linear,
-    /// The rigid force polynomial, N.
+    /// Force of a rigid follower as a piecewise polynomial, N.
     force: PiecewisePoly,
     /// Weights w of the contact force Σ wᵢ zᵢ, N. The states z are the deflection x and x′/scale, with scale = √((k + k₁)/(mω²)).
     contact: Vector2<f64>,
@@ -106,7 +106,7 @@ pub fn steady(law: &Law, drive: &Drive, train: &Train) -> Result<Steady> {
     })
 }
 
-/// Distance below which two breaks coincide, rad.
+/// Distance below which two breaks count as one, rad.
 const SAME: f64 = 1e-9;
 
 /// Model whose input has additional breaks at `cuts`, rad, and its periodic states at all breaks. `None` if the response is quasi-static.

@@ -213,8 +213,8 @@ fn stated_exponent(x: f64) -> f64 {
 
 #[test]
 fn the_steady_state_of_a_harmonic_cam_is_the_textbook_amplification() {
-    // s = h sin θ, one mass, base excitation through k₁, c₁: N = Re of −(k₁ + i c₁ ω) X e^{iθ} with
-    // X = −F̂/((k + k₁) − mω² + i(c + c₁)ω).
+    // Lift s = h sin θ, one mass, excitation through k₁ and c₁. The contact force has the amplitude −(k₁ + i c₁ ω) X with X = −F̂/((k + k₁)
+    // − mω² + i(c + c₁)ω).
     let law = Law::harmonic(0.0, &[(0.0, 0.01)]);
     let drive = Drive {
         spring_rate: 900.0,
@@ -228,7 +228,7 @@ fn the_steady_state_of_a_harmonic_cam_is_the_textbook_amplification() {
     };
     let steady = steady(&law, &drive, &train).unwrap();
     let (m, w) = (1.0, 30.0);
-    // Static part: rest force shared by both springs.
+    // Both springs share the static rest force.
     let static_n = drive.rest_force * k1 / (k1 + 900.0);
     let f = (-0.01 * (m * w * w - 900.0), 0.01 * 3.0 * w);
     let den = (900.0 + k1 - m * w * w, (3.0 + c1) * w);
@@ -243,7 +243,7 @@ fn the_steady_state_of_a_harmonic_cam_is_the_textbook_amplification() {
         let exact = static_n + n.0 * t.sin() + n.1 * t.cos();
         assert!((got - exact).abs() < 1e-11, "{t} {got} {exact}");
     }
-    // The extremes of the 1440 points of the output profile equal the extremes of the exact sinusoid.
+    // With an output profile of 1440 points, the extremes equal the extremes of the exact sinusoid.
     let cam = Cam {
         law,
         ..thesis::eccentric()
@@ -363,7 +363,7 @@ fn a_follower_on_a_law_with_a_velocity_step_is_struck() {
         damping: 0.0,
     };
     let got = steady(&law, &drive, &train).unwrap();
-    // x″ + w²x = 2δ(π) − 2δ(0) periodic: by symmetry x at the kinks is ∓tan(wπ/2)/w.
+    // Periodic solution of x″ + w²x = 2δ(π) − 2δ(0). By symmetry, x at the kinks is ∓tan(wπ/2)/w.
     let exact = (2.5 * PI / 2.0).tan() / 2.5;
     assert!(
         (got.deflection[0].abs() - exact.abs()).abs() < 1e-12,

@@ -52,7 +52,7 @@ pub struct Steady {
 /// Reasons why a shaft stops.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stall {
-    /// The inertia is below its minimum, which is given, kg·m².
+    /// The inertia is below the minimum inertia. The field is this minimum, kg·m².
     Below(f64),
     /// The shaft stops for any inertia.
     Anyway,

@@ -41,7 +41,7 @@ pub(super) struct Prepared {
     /// Motion of the shaft if its speed varies.
     pub shaft: Option<Motion>,
     pub shaft_report: Option<Shaft>,
-    /// Motion of shaft and floor, if the floor moves.
+    /// Motion of shaft and floor; `None` for constant speed on a rigid floor without force correction.
     pub machine: Option<MachineMotion>,
     /// Whether the follower is constrained from both sides.
     pub held: bool,

@@ -33,8 +33,8 @@ pub struct DriveSpec {
     pub preload: f64,
     /// Damping coefficient on a fixed axis, N·s/m; not available for an arm.
     pub damping: f64,
-    /// Distance from the pivot at which the target force and the piston act on an arm, m. If it is `None`, it is the length of the arm, or
-    /// the pivot distance for a flat face.
+    /// Distance from the pivot at which the target force and the piston act on an arm, m. The default `None` selects the length of the arm,
+    /// or the pivot distance for a flat face.
     pub lever: Option<f64>,
 }
 

@@ -158,7 +158,7 @@ impl MotorSpec {
         sound.then_some(rows)
     }
 
-    /// Torque as a function of speed, referred to the camshaft, and the no-load speed of the camshaft, rad/s, if it is known.
+    /// Torque as a function of speed, referred to the camshaft, and the no-load speed of the camshaft, rad/s, if the data determine it.
     fn line(&self) -> Option<(TorqueLine, Option<f64>)> {
         let (n, factor) = (self.gear, self.gear * self.efficiency);
         if let Some(slope) = self.slope {

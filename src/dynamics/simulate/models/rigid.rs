@@ -65,8 +65,8 @@ fn pulled_share(surface: &Surface, p: &Prepared) -> f64 {
     pulled / p.cycle.length
 }
 
-/// Simulates the rigid model with a varying shaft speed or a moving floor. With a moving floor or a force correction, the minimum and
-/// maximum force are taken from the rows.
+/// Simulates the rigid model with a varying shaft speed, a moving floor or a force correction. With a moving floor or a force correction,
+/// the minimum and maximum force are taken from the rows.
 fn over_time(input: &Run, p: &Prepared, machine: &MachineMotion) -> Outcome {
     let nodes = p.nodes.iter().enumerate();
     let motion = |i: usize| match &p.shaft {
