@@ -2,14 +2,15 @@
 //!
 //! # The problem
 //!
-//! A machine has to reproduce the force of a walker on the ground. A cam at the angle θ = ωt lifts a follower by s(θ). With v = ds/dθ and a
-//! = d²s/dθ², the force is a linear function of the law (Campillo de Blas 2017, eq. 22; Vargas and León 2024, eq. 3):
+//! A machine has to reproduce the force of a walker on the ground. A cam with the angle θ = ωt lifts a follower by s(θ). With v = ds/dθ and
+//! a = d²s/dθ², the force is a linear function of the law (Campillo de Blas 2017, eq. 22; Vargas and León 2024, eq. 3):
 //!
 //! ```text
 //! F(θ) = F₀ + k·s + c·ω·v + m·ω²·a
 //! ```
 //!
-//! The problem is to find the law s with the minimum difference between F and a measured force F*, and the cam with this law:
+//! Here F₀ is the static force at zero lift, k the stiffness, c the damping coefficient, m the moved mass and ω the cam speed. The problem
+//! is to find the law s with the minimum difference between F and a measured force F*, and the cam with this law:
 //!
 //! ```text
 //! minimise    (1/2π) ∮ (F − F*)² dθ          or the energy, or the peak, of a derivative, or the cam's size
@@ -19,10 +20,11 @@
 //!             ρ(s, v, a, D, e) ≥ ρ_min, all θ  roller curvature: a sequence of the above
 //! ```
 //!
-//! The problem is convex except for the last constraint. The limits hold at every angle, not only at samples. Laws are piecewise
-//! polynomials in Bernstein form (or sinusoids), so every extreme is computed from roots.
+//! The jerk is j = d³s/dθ³, and wₖ are the weights of the derivatives s⁽ᵏ⁾ in a limit. Rp is the prime radius, and e is the offset of the
+//! follower. D is the height of the prime circle above the cam centre, on the line of the follower. The maximum pressure angle is φ, and ρ
+//! is the radius of curvature of the profile.
 //!
-//! # From end to end
+//! # Example
 //!
 //! ```
 //! use gaitcam::scene::{CamSpec, Gait};
@@ -57,7 +59,7 @@
 #![deny(clippy::missing_errors_doc)]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
-/// Name of this crate for the files that the unit tests share with `gaitcam-test-support`, which depends on this crate.
+/// Lets the unit tests use this crate by its name `gaitcam`. They share files with `gaitcam-test-support`, which depends on this crate.
 #[cfg(test)]
 extern crate self as gaitcam;
 

@@ -6,7 +6,8 @@ use crate::error::Result;
 const ROUNDS: usize = 30;
 /// Number of earlier iterates used by the acceleration.
 const MEMORY: usize = 5;
-/// Fraction of an iterate that must be linearly independent of the other iterates. An iterate below this fraction is not used.
+/// Minimum independent fraction of a residual difference. If a smaller fraction is linearly independent of the later differences, the
+/// difference is not used.
 const DEPENDENT: f64 = 1e-6;
 
 /// A design with the machine state that it causes.
@@ -15,7 +16,7 @@ pub struct Round<D> {
     pub design: D,
     /// Machine state that the design causes.
     pub made: Vec<f64>,
-    /// Whether the law satisfies its limits.
+    /// Whether a law exists for this iterate.
     pub has_law: bool,
 }
 
@@ -27,7 +28,7 @@ pub struct Settled<D> {
     pub made: Option<Vec<f64>>,
     /// Number of designs that were computed.
     pub rounds: usize,
-    /// Ratio of the last two residuals.
+    /// Ratio of the last residual to the previous residual; `None` after a single iterate.
     pub contraction: Option<f64>,
     /// Residual of the final iterate: maximum difference between the assumed state and the caused state.
     pub difference: f64,
@@ -99,7 +100,7 @@ fn subtract(from: &mut [f64], part: f64, of: &[f64]) {
     from.iter_mut().zip(of).for_each(|(x, y)| *x -= part * y);
 }
 
-/// Next assumed state: the combination of iterates whose residual is minimum (Anderson acceleration; Walker and Ni 2011).
+/// Next assumed state: the combination of iterates with the minimum residual (Anderson acceleration; Walker and Ni 2011).
 fn accelerated(path: &[[Vec<f64>; 2]]) -> Vec<f64> {
     let Some([made, off]) = path.last() else {
         return Vec::new();
@@ -133,7 +134,7 @@ mod tests {
 
     #[test]
     fn a_linear_map_of_two_unknowns_that_expands_settles_in_three_rounds() {
-        // x ↦ A x + b with eigenvalues −3 and 0.5: plain rounds diverge.
+        // x ↦ A x + b with eigenvalues −3 and 0.5. Plain fixed-point iteration diverges.
         let map = |x: &[f64]| vec![-3.0 * x[0] + 1.0, 2.0 * x[0] + 0.5 * x[1] - 1.0];
         let mut count = 0;
         let found = settled(vec![5.0, -7.0], 1e-12, |x| {

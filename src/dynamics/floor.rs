@@ -1,8 +1,8 @@
 //! Moving floor: modes of a structure in steady vibration under the periodic force of the feet.
 //!
-//! A mode of mass m, frequency ω, damping ratio ζ and ordinate φ at the feet moves upwards by z = φ q under the downward force F: m (q″ +
-//! 2ζω q′ + ω² q) = −φ F. For F = Re Fₙ e^{inΩt}, the acceleration is z″ₙ = Hₙ Fₙ, Hₙ = Σ φ² (nΩ)² / (m (ω² − (nΩ)² + 2iζω nΩ)) (theory
-//! §10).
+//! Each mode has the mass m, the natural frequency ω, the damping ratio ζ and the ordinate φ at the feet. Under the downward force F, its
+//! modal coordinate q obeys m (q″ + 2ζω q′ + ω² q) = −φ F. It moves the floor upwards by z = φ q. For F = Re Fₙ e^{inΩt} with the cam speed
+//! Ω, the acceleration is z″ₙ = Hₙ Fₙ. The accelerance is Hₙ = Σ φ² (nΩ)² / (m (ω² − (nΩ)² + 2iζω nΩ)), summed over the modes (theory §10).
 
 use std::f64::consts::TAU;
 
@@ -13,28 +13,28 @@ use crate::error::{DynamicsError, Placed, Result};
 use crate::poly::{amplitudes, samples};
 use crate::units::{Dimension, Quantity};
 
-/// Fraction of ω² below which the dynamic stiffness at a frequency is zero.
+/// Fraction of ω² below which the dynamic stiffness of a mode with the natural frequency ω counts as zero.
 const RESONANT: f64 = 1e-9;
-/// Fraction of the maximum harmonic below which a harmonic is a rounding error.
+/// Fraction of the maximum harmonic below which a harmonic counts as a rounding error.
 const ROUNDING: f64 = 1e-9;
 /// Upper bounds of the peak acceleration, m/s², of the comfort classes of SETRA (2006) and HiVoSS (2008).
 const CLASSES: [f64; 3] = [0.5, 1.0, 2.5];
 
-/// Minimum number of points per turn at which the peak is searched.
+/// Minimum number of points per turn in the search for the peak acceleration.
 const POINTS: usize = 4096;
 
 /// Cosine and sine amplitudes of one harmonic.
 pub type Term = (f64, f64);
 
-/// A mode of the structure.
+/// Vibration mode of a structure.
 ///
 /// ```
 /// use gaitcam::dynamics::FloorMode;
 ///
-/// // A footbridge of 40 t of modal mass, its walker at a quarter of the span: φ = sin(π/4).
+/// // A footbridge with a modal mass of 40 t. The walker is at a quarter of the span, where φ = sin(π/4).
 /// let ordinate = std::f64::consts::FRAC_1_SQRT_2;
 /// let mode = FloorMode { mass: 4e4, frequency: 1.9, damping: 0.005, ordinate, key: "machine.floor.damping" };
-/// assert!((mode.mass / mode.ordinate.powi(2) - 8e4).abs() < 1e-6); // felt there, kg
+/// assert!((mode.mass / mode.ordinate.powi(2) - 8e4).abs() < 1e-6); // effective mass at the walker, kg
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FloorMode {
@@ -42,7 +42,7 @@ pub struct FloorMode {
     pub mass: f64,
     /// Natural frequency of the mode, Hz.
     pub frequency: f64,
-    /// Damping ratio of the mode.
+    /// Damping ratio of the mode, relative to critical damping.
     pub damping: f64,
     /// Ordinate of the mode shape at the feet.
     pub ordinate: f64,
@@ -55,7 +55,7 @@ pub struct FloorMode {
 /// ```
 /// use gaitcam::dynamics::{Floor, FloorMode};
 ///
-/// // At resonance one mode moves by F/(2ζk): its acceleration is F/(2ζm).
+/// // At resonance, a force of amplitude F gives the acceleration F/(2ζm) of a single mode.
 /// let mode = FloorMode { mass: 1e4, frequency: 2.0, damping: 0.01, ordinate: 1.0, key: "machine.floor.damping" };
 /// let floor = Floor { modes: vec![mode], walkers: vec![(0.0, 1.0)] };
 /// let answer = floor.acceleration(std::f64::consts::TAU * 2.0, &[(280.0, 0.0)])?;
@@ -64,7 +64,7 @@ pub struct FloorMode {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Floor {
-    /// Modes of the floor.
+    /// Vibration modes of the structure.
     pub modes: Vec<FloorMode>,
     /// Phase, rad, and weight relative to the shaker, for every walker. The first walker is the shaker.
     pub walkers: Vec<(f64, f64)>,
@@ -136,7 +136,7 @@ pub struct FloorMotion {
     pub acceleration_peak_m_per_s2: f64,
     /// Root mean square of the acceleration, m/s².
     pub acceleration_rms_m_per_s2: f64,
-    /// Comfort class for the walkers.
+    /// Comfort class for the walkers, from the peak acceleration.
     #[serde(flatten)]
     pub comfort: Comfort,
 }
@@ -159,7 +159,7 @@ impl FloorMotion {
     }
 }
 
-/// Harmonics of order 1 and higher of samples at equal steps of a turn.
+/// Harmonics of samples at equal steps of a turn, from order 1. The mean and the highest harmonic are omitted.
 pub(crate) fn harmonics(samples: &[f64]) -> Vec<Term> {
     let all = amplitudes(samples);
     all[1..all.len() - 1].to_vec()
@@ -223,7 +223,8 @@ impl Floor {
             .collect()
     }
 
-    /// Harmonics of the upward acceleration, m/s², for the harmonics of the force of all feet, N.
+    /// Harmonics of the upward acceleration of the floor, m/s². `speed` is the cam speed, rad/s. `force` contains the harmonics of the
+    /// total force of all walkers, N.
     ///
     /// # Errors
     ///
@@ -259,7 +260,7 @@ impl Floor {
         still: &[Term],
         others: &[Term],
     ) -> Result<Vec<Term>> {
-        // All feet load the floor: where the shaker exerts no force at a harmonic, the other walkers may exert one.
+        // The feet of all walkers load the floor. Where the shaker exerts no force at a harmonic, the other walkers may exert one.
         let size = |(a, b): &Term| libm::hypot(*a, *b);
         let both = still.iter().zip(others);
         let either: Vec<Term> = both.map(|(p, o)| (size(p), size(o))).collect();
@@ -283,7 +284,7 @@ impl Floor {
             .collect()
     }
 
-    /// Limit of the ratio Gₙ for high harmonics: 1/(1 + Σ M φ²/m).
+    /// Limit of the ratio Gₙ for high harmonics: 1/(1 + Σ M φ²/m), with the mass M of the shaker, kg, and the sum over all modes.
     pub fn felt_at_once(&self, mass: f64) -> f64 {
         let part = |mode: &FloorMode| mass * mode.ordinate.powi(2) / mode.mass;
         1.0 / (1.0 + self.modes.iter().map(part).sum::<f64>())

@@ -17,7 +17,8 @@ use crate::poly::samples;
 /// Number of equal parts of the period for the force on the floor and the motion of the floor.
 const SAMPLES: usize = 720;
 const FINE: usize = 4 * SAMPLES;
-/// Change of M z″ in one iteration, relative to the force at rest, below which the motions of shaft and floor count as consistent.
+/// Change of M z″ (mass times acceleration of the floor) in one iteration, relative to the force at rest. Below this value, the motions of
+/// shaft and floor count as consistent.
 const SAME: f64 = 1e-9;
 const UNSETTLED: f64 = 1e-6;
 
@@ -43,7 +44,7 @@ pub struct Carrier<'a> {
 /// Steady motion of shaft and floor.
 #[derive(Debug, Clone)]
 pub struct MachineMotion {
-    /// Motion of the shaft.
+    /// Motion of the shaft over one turn.
     pub shaft: Motion,
     /// Harmonics of the acceleration of the floor over the period, m/s²; empty for a rigid floor.
     pub floor: Vec<Term>,
@@ -88,7 +89,8 @@ pub struct Parts<'a> {
 }
 
 impl<'a> Carrier<'a> {
-    /// Creates the machine of a cam. With a floor, `walker` is the force of one walker at equal parts of the period, N; otherwise it is empty.
+    /// Creates the machine of a cam. With a floor, `walker` returns the force of one walker at equal parts of the period, N. Without a
+    /// floor, it is not called.
     ///
     /// # Errors
     ///
@@ -131,7 +133,7 @@ impl Carrier<'_> {
         [1.0, -1.0].map(|force| force * contact.torque(self.friction, at, force))
     }
 
-    /// Load of the shaft over a turn from the cam angle `start`, rad. `at` is the motion of the follower at a cam angle; it is smooth
+    /// Load of the shaft over a turn from the cam angle `start`, rad. `at` is the motion of the follower at a cam angle. It is smooth
     /// between `breaks`. `floor` is the acceleration of the floor, m/s², at an angle measured from `start`, rad.
     pub fn load(
         &self,

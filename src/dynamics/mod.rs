@@ -3,12 +3,12 @@
 //! [`simulate()`] recovers the smooth lift from the points of the output profile (`recover`) and simulates the cam with one of these
 //! models:
 //!
-//! - `rigid`: F = F₀ + k s + c ω v + m ω² a, torque, contact pressure ([`hertz`]);
+//! - `rigid`: F = F₀ + k s + c ω v + m ω² a (symbols as in the crate documentation), torque, contact pressure ([`hertz`]);
 //! - [`flexible`]: a compliant follower in exact steady vibration ([`flexible::Linear`]);
 //! - `machine_motion`: the rigid follower with a motor-driven shaft or a moving floor;
 //! - [`contact`]: lift-off, flight, impact and rest, event by event.
 //!
-//! The simplest sufficient model is selected automatically, with the reason.
+//! By default, the simplest sufficient model is selected, and the reason is reported.
 
 pub mod contact;
 pub(crate) mod fixed_point;

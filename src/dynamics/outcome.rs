@@ -51,7 +51,7 @@ impl Model {
 /// use gaitcam::dynamics::{Model, Run, simulate};
 /// use gaitcam::law::Law;
 ///
-/// // The face of an eccentric disc rubs at the speed of the disc's edge less that of the lift: power is torque times ω.
+/// // The power of the shaft is its torque times its speed, and the follower stays in contact.
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let outcome = simulate(&Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720), Model::Rigid)?;
 /// for row in &outcome.rows {
@@ -72,11 +72,11 @@ pub struct Row {
     pub contact_force: f64,
     /// Torque of the shaft in the direction of increasing θ, N·m.
     pub torque: f64,
-    /// Power of the shaft, W.
+    /// Power of the shaft, W: torque times speed.
     pub power: f64,
     /// Height of the moved mass above its position on the base circle, m.
     pub lift: f64,
-    /// Gap between mass and cam, m.
+    /// Gap between mass and cam, m; 0 in contact.
     pub gap: f64,
     /// Force normal to the surfaces, N; for a barrel at the floor of the groove, where it is maximum.
     pub normal_force: f64,
@@ -96,7 +96,7 @@ pub struct Row {
 /// use gaitcam::dynamics::{Model, Run, simulate};
 /// use gaitcam::law::Law;
 ///
-/// // M (g ± ω²e)
+/// // The extremes are M (g ± ω²e), with the mass M and the eccentricity e.
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let force = simulate(&Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720), Model::Rigid)?.force;
 /// assert!((force.min - 97.2).abs() < 1e-4 && (force.max - 99.0).abs() < 1e-4);
@@ -147,7 +147,7 @@ pub struct Torque {
 /// use gaitcam::dynamics::{Model, Run, simulate};
 /// use gaitcam::law::Law;
 ///
-/// // A stiff follower: the next finer model changes almost nothing.
+/// // With a stiff follower, the next finer model gives nearly the same force.
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let drive = Drive::moving_axis(10.0, 9.81, 3.0);
 /// let mut run = Run::new(cam, drive, 720);
@@ -161,13 +161,13 @@ pub struct Torque {
 pub struct Difference {
     /// Model that is compared with the selected one.
     pub model: Model,
-    /// Difference of the minimum forces, N.
+    /// Change of the minimum force relative to the selected model, N.
     pub force_min: f64,
-    /// Difference of the maximum forces, N.
+    /// Change of the maximum force relative to the selected model, N.
     pub force_max: f64,
-    /// Difference of the RMS errors, N.
+    /// Change of the RMS force error relative to the selected model, N; `None` without a target.
     pub rms_error: Option<f64>,
-    /// Difference of the fractions of the cycle without contact.
+    /// Change of the fraction of the cycle without contact, relative to the selected model.
     pub lost_fraction: f64,
     /// Error that prevented the simulation with the finer model, if any.
     pub failed: Option<Error>,
@@ -182,7 +182,7 @@ pub struct Difference {
 /// use gaitcam::dynamics::{Model, Run, simulate};
 /// use gaitcam::law::Law;
 ///
-/// // M (g + ω²e) under a flat face, highest between two of 90 rows.
+/// // The maximum M (g + ω²e) lies between two of the 90 rows. M is the mass and e the eccentricity.
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.006, 0.008)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let loads = simulate(&Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 90), Model::Rigid)?.loads;
 /// assert!((loads.normal_force - 99.0).abs() < 1e-4 && loads.side_thrust == 0.0);
@@ -190,9 +190,9 @@ pub struct Difference {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Loads {
-    /// Force normal to the surfaces, N.
+    /// Maximum force normal to the surfaces, N.
     pub normal_force: f64,
-    /// Lateral force on the guides, N.
+    /// Maximum lateral force on the guides, N.
     pub side_thrust: f64,
 }
 
@@ -205,7 +205,7 @@ pub struct Loads {
 /// use gaitcam::dynamics::{Face, Model, Run, simulate};
 /// use gaitcam::law::Law;
 ///
-/// // An eccentric has constant curvature: the pressure is largest at the largest force, at its lowest point.
+/// // An eccentric has constant curvature, so the pressure is maximum at the maximum force, which occurs at the minimum lift.
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let mut run = Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720);
 /// run.machine.face = Some(Face { length: 0.012, cam: STEEL, follower: STEEL });
@@ -215,7 +215,7 @@ pub struct Loads {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pressure {
-    /// Cam angle of the pressure, rad.
+    /// Cam angle of the maximum pressure, rad.
     pub theta: f64,
     /// Line contact of cam and follower at this angle.
     pub contact: LineContact,
@@ -229,7 +229,7 @@ pub struct Pressure {
 /// use gaitcam::dynamics::{Model, Run, simulate};
 /// use gaitcam::law::Law;
 ///
-/// // M (g − ω²e) = 0 at ω = √(g/e)
+/// // The minimum force M (g − ω²e) is zero at ω = √(g/e), with the mass M and the eccentricity e.
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let outcome = simulate(&Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720), Model::Auto)?;
 /// assert!(!outcome.contact_lost);
@@ -246,15 +246,15 @@ pub struct Outcome {
     pub lever: f64,
     /// Reason for which this model was used.
     pub why: ModelReason,
-    /// Whether the follower loses contact.
+    /// Whether the follower loses contact, or permanent contact would need a negative force; false if it is constrained from both sides.
     pub contact_lost: bool,
     /// Fraction of the period without contact.
     pub lost_fraction: f64,
-    /// Extremes of the contact force.
+    /// Extremes of the contact force, and RMS error of the force, N.
     pub force: Force,
-    /// Maximum loads of the bearings.
+    /// Maximum normal force and maximum lateral force, N.
     pub loads: Loads,
-    /// Extremes of the shaft torque.
+    /// Extremes, mean and root mean square of the shaft torque, N·m.
     pub torque: Torque,
     /// Lowest speed at which the follower lifts off, rad/s; `None` if it never lifts off.
     pub liftoff_speed: Option<f64>,
@@ -266,7 +266,7 @@ pub struct Outcome {
     pub shaft: Option<Shaft>,
     /// Motion of the floor; `None` for a rigid floor.
     pub floor: Option<FloorMotion>,
-    /// Difference between force and target over time, if the run has a target.
+    /// Difference between force and target over time; `None` without a target or for constant speed.
     pub force_time: Option<InTime>,
     /// Landings of the whole run, including the initial turns.
     pub impacts: Vec<Impact>,

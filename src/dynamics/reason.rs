@@ -39,7 +39,7 @@ pub enum ModelReason {
         allowed: Quantity,
         margin: ForceMargin,
     },
-    /// Vibration changes the force by less than the tolerance.
+    /// Vibration changes the force by no more than the tolerance.
     HardlyVibrates {
         vibration: Vibration,
         allowed: Quantity,
@@ -129,7 +129,7 @@ pub enum RunNote {
     PairDistance {
         deviation: f64,
     },
-    /// The motor changes the force by less than the tolerance, so constant speed is sufficient.
+    /// The motor changes the force by no more than the tolerance, so constant speed is sufficient.
     SteadyShaft {
         ripple: Quantity,
         change: Quantity,

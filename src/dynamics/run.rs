@@ -27,12 +27,12 @@ pub struct Machine {
     pub restitution: f64,
     /// Phase of a second, equal cam on the same shaft, rad.
     pub second_cam: Option<f64>,
-    /// Second cam of a conjugate pair, in its own frame. It carries negative forces.
+    /// Second cam of a conjugate pair, in its own frame. It transmits the negative forces.
     pub conjugate: Option<Cam>,
     /// Line contact, used to compute the contact pressure.
     pub face: Option<Face>,
-    /// Radius of the floor of a barrel's groove, m, where the normal force on the roller is maximum; `None` if the contact is computed at the radius
-    /// of the follower.
+    /// Radius of the floor of a barrel's groove, m, where the normal force on the roller is maximum. If it is `None`, the contact is
+    /// computed at the radius of the follower.
     pub groove_floor: Option<f64>,
     /// Motor of the shaft; `None` for constant speed.
     pub motor: Option<Motor>,
@@ -45,7 +45,7 @@ pub struct Machine {
     pub limits: Limits,
 }
 
-/// Cylindrical surfaces in line contact.
+/// Length and materials of the line contact between cam and follower.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -54,7 +54,7 @@ pub struct Machine {
 /// use gaitcam::dynamics::{Face, Model, Run, simulate};
 /// use gaitcam::law::Law;
 ///
-/// // A disc of 30 mm under a flat face, pressed by 100 N: Hertz's pressure of a line of 12 mm.
+/// // A disc of radius 30 mm under a flat face with 100 N. The result is Hertz's pressure of a contact line of 12 mm.
 /// let cam = Cam::new(Law::harmonic(0.0, &[]), Follower::FlatTranslating { base_radius: 0.03 })?;
 /// let drive = Drive { rest_force: 100.0, ..Drive::fixed_axis(0.5, 1000.0, 10.0) };
 /// let mut run = Run::new(cam, drive, 720);
@@ -95,7 +95,7 @@ pub struct Face {
 ///     machine: Machine::default(),
 /// };
 /// let outcome = simulate(&run, Model::Rigid)?;
-/// // M (g ± 2π h/β²·ω²), the acceleration of a cycloidal rise
+/// // Maximum force M (g + 2π h ω²/β²), with the maximum acceleration of a cycloidal rise h over the angle β.
 /// let most = 10.0 * (9.81 + 2.0 * 0.01 / pi);
 /// assert!((outcome.force.max - most).abs() < 1e-4 * most);
 /// assert!(!outcome.contact_lost);

@@ -18,7 +18,7 @@ const NO_PULL_STATIC: f64 = 1e-6;
 /// use gaitcam::dynamics::Surface;
 /// use gaitcam::law::Law;
 ///
-/// // Above lift-off, about the highest point, contact would need a pull.
+/// // Above the lift-off speed, contact at the highest point requires a negative force.
 /// let drive = Drive::moving_axis(10.0, 9.81, 1.3 * (9.81_f64 / 0.01).sqrt());
 /// let surface = Surface::new(Law::harmonic(0.01, &[(0.0, 0.01)]), &drive);
 /// let (from, to) = surface.next_pull(0.0).unwrap();
@@ -65,7 +65,7 @@ impl Surface {
         self.law.svaj(angle)
     }
 
-    /// First range of negative force that ends after `angle`. Its limits are angles that increase over several turns, as `angle` does.
+    /// First range of negative force that ends after `angle`. Like `angle`, the angles of the range increase over several turns.
     pub fn next_pull(&self, angle: f64) -> Option<(f64, f64)> {
         let turn = ((angle - self.start) / TAU).floor();
         (-1..=1)
@@ -126,7 +126,7 @@ mod tests {
         let (from, to) = surface.next_pull(2.0 * TAU).unwrap();
         assert!((from - edge - 2.0 * TAU).abs() < 1e-12);
         assert!((to - (std::f64::consts::PI - edge) - 2.0 * TAU).abs() < 1e-12);
-        // Shifted by a quarter turn the stretch runs over the end of the turn and stays one.
+        // Shifted by a quarter turn, the range of negative force crosses the end of the turn and remains one range.
         let turned = Law::harmonic(0.0, &[(0.01, 0.0)]);
         let surface = Surface::new(turned, &drive);
         assert_eq!(surface.pulls.len(), 1);

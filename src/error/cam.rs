@@ -17,7 +17,7 @@ pub enum CamError {
     RollerFillsCam { radius: Quantity, prime: Quantity },
     /// The offset is not smaller than the prime radius.
     Offset { offset: Quantity, prime: Quantity },
-    /// The lift falls below the centre of the cam.
+    /// The law reaches a position below the centre of the cam.
     BelowCentre {
         lift: Quantity,
         height: Quantity,
@@ -69,7 +69,7 @@ pub enum CamError {
     NoSize { follower: &'static str },
     /// The floor of a groove is not below the surface of the barrel.
     GrooveDepth { floor: Quantity, surface: Quantity },
-    /// The rollers do not fit the groove.
+    /// The radius or the eccentricity of the rollers is invalid for a groove.
     GrooveRollers {
         radius: Quantity,
         eccentricity: Quantity,
@@ -112,7 +112,7 @@ pub enum CamInputError {
     MeasuredFew { points: usize, least: usize },
     /// A measured point is not finite.
     MeasuredNotFinite { row: usize },
-    /// The cam does not rotate; only rotating cams can be fitted to measured points.
+    /// The cam does not rotate. Only the profile of a rotating cam can be fitted to measured points.
     MeasuredUnrolled { follower: &'static str },
     /// The measured points are on a circle, so they do not determine the zero angle.
     MeasuredCircle,
@@ -121,7 +121,7 @@ pub enum CamInputError {
         distance: Quantity,
         mirrored: Quantity,
     },
-    /// The points belong to another cam.
+    /// The measured points do not belong to this cam, because their distance from its profile is too large.
     MeasuredOther {
         distance: Quantity,
         low: Quantity,

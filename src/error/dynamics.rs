@@ -12,7 +12,7 @@ use crate::units::Quantity;
 /// use gaitcam::dynamics::flexible::Train;
 /// use gaitcam::error::DynamicsError;
 ///
-/// // Without a mass nothing has a natural frequency.
+/// // The natural frequency is undefined without a mass.
 /// let weightless = Drive::fixed_axis(0.0, 1000.0, 10.0);
 /// let error = Train::from_frequency(&weightless, 50.0, 0.05).unwrap_err();
 /// assert_eq!(error.fault(), Some(&DynamicsError::FrequencyWithoutMass { fluid: false }));
@@ -85,7 +85,7 @@ pub enum DynamicsError {
     FewProgrammeRows { rows: usize },
     /// The time of a row of a speed programme does not increase, or its speed is not positive.
     ProgrammeRow { row: usize },
-    /// A speed programme requires a rotating cam.
+    /// A speed programme requires a rotating cam whose law closes in one turn.
     ProgrammeTurns,
     /// No speed programme satisfies the limit on the acceleration.
     ProgrammeAcceleration { most: Quantity },

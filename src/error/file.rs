@@ -4,7 +4,7 @@ use gaitcam_base::wording::InLanguages;
 use serde::Serialize;
 use strum::VariantNames;
 
-/// Errors of a file or folder. Text fields come from the operating system.
+/// Errors of a file or folder. The field `fault` contains the text of the operating system or of the parser.
 ///
 /// ```
 /// use gaitcam::error::{FileError, Placed};
@@ -23,9 +23,9 @@ pub enum FileError {
     CannotRead { fault: String },
     /// A file named in the scene does not exist.
     Missing { file: String },
-    /// The operating system cannot move the files into place.
+    /// The operating system cannot move the written files to their final names.
     CannotPlace { fault: String },
-    /// A file or folder that gaitcam did not write has a required name.
+    /// A file or folder that gaitcam did not write has the name of an output file.
     Foreign,
     /// Another process has locked the folder.
     Held { process: Option<String> },

@@ -11,7 +11,7 @@ use crate::units::Quantity;
 /// use gaitcam::error::LawError;
 /// use gaitcam::law::{Extent, Rise, Segment, program};
 ///
-/// // A rise over a third of a turn; the rest of the turn is missing.
+/// // A rise covers a third of the turn. The other segments are missing.
 /// let up = Segment { motion: Rise::Poly345, lift: 0.02, angle: 120f64.to_radians() };
 /// let error = program(&[up], Extent::TURN).unwrap_err();
 /// let Some(LawError::Uncovered { missing, .. }) = error.fault() else { panic!("{error}") };
@@ -252,7 +252,7 @@ pub enum JoinCure {
     /// Both segments move in the same direction. If the length of one segment is changed to `length`, the velocities at the joint are
     /// equal.
     LetCover {
-        /// The segment to change.
+        /// Segment whose length must be changed.
         segment: SegmentName,
         /// New length of the segment.
         length: Quantity,

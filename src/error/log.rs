@@ -42,7 +42,7 @@ pub enum LogError {
     },
     /// The angle is constant.
     NoMotion { angle: f64 },
-    /// A cell is not a number.
+    /// A cell is not a number between −10⁹ and 10⁹.
     Value { column: String, typed: String },
     /// The values of the time or angle column do not increase.
     Order {
@@ -70,13 +70,13 @@ pub enum LogError {
     Changes { cycle: usize, percent: f64 },
     /// The alternating force is much smaller than expected.
     NoAlternating { found: Quantity, expected: Quantity },
-    /// The force is probably in another unit.
+    /// The unit of the force column is probably wrong.
     WrongUnit {
         unit: String,
         found: Quantity,
         expected: Quantity,
     },
-    /// The magnitude of the force differs from its expected value.
+    /// The magnitude of the force differs from its expected value, which the scene determines.
     OtherSize { found: Quantity, expected: Quantity },
     /// The force has the opposite sign.
     WrongSign,
@@ -93,7 +93,7 @@ pub enum LogError {
     Inconsistent { together: Quantity, alone: Quantity },
     /// The speed in the log differs from the design speed.
     OtherSpeed { speed: Quantity, design: Quantity },
-    /// The cam does not make one turn per cycle.
+    /// The cam does not turn forwards once per cycle.
     NoTurn,
     /// The scene has no target force.
     NoTarget,

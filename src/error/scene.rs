@@ -122,7 +122,7 @@ pub enum SceneError {
     Harmonics { given: usize, most: usize },
     /// Neither a recording nor a model is given.
     NoForceNamed,
-    /// The range of weighted phases is empty.
+    /// The range of a phase weight is empty or lies outside the cycle.
     NoPhases { from: Quantity, to: Quantity },
     /// Every phase has weight zero.
     NothingWeighed,
@@ -130,13 +130,13 @@ pub enum SceneError {
     WeighRemoved,
     /// The objective refers to a force, but the scene has no force.
     NoForceToFollow,
-    /// The objective weights the size of the cam, but the size is given.
+    /// The objective is the size of the cam, but the size of this kind of cam is not optimised together with the law.
     SizeNotFree,
     /// The degree of a spline is outside its range.
     SplineDegree { typed: String },
     /// The minimised derivative is zero between the knots for laws of this degree.
     DegreeBelowObjective { degree: usize, order: usize },
-    /// A condition is given that only splines support.
+    /// A key is given that only splines support.
     OnlySplines { family: &'static str },
     /// A programme has no segments.
     ProgramWithoutSegments,

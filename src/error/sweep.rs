@@ -46,7 +46,7 @@ pub enum SweepError {
     NotCarried,
     /// Tolerances are combined with another variation, although tolerances apply to one design only.
     ScatterAlone,
-    /// There is no cam for which manufacturing errors could be sampled.
+    /// The scene has no feasible cam, so no manufacturing errors can be sampled.
     NoDesign,
     /// The time limit was reached before the cam of a row was found.
     OutOfTime,

@@ -14,7 +14,7 @@ use crate::units::Quantity;
 /// use gaitcam::Scene;
 /// use gaitcam::synth::synthesise;
 ///
-/// // A scene that names a force wants one.
+/// // The scene refers to a force, but the caller provides none.
 /// let scene = Scene { gait: Some(Gait::model("young")), ..Scene::default() };
 /// let error = synthesise(&scene, None).unwrap_err();
 /// assert_eq!(error.fault(), Some(&SynthError::ForceNotRead));

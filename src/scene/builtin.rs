@@ -24,7 +24,7 @@ pub struct BuiltIn {
 }
 
 impl BuiltIn {
-    /// The scene, read from its text.
+    /// Reads the scene from its text.
     ///
     /// # Errors
     ///
@@ -100,7 +100,7 @@ pub fn built_in_file(path: &Path) -> Option<&'static [u8]> {
 ///
 /// # Errors
 ///
-/// The name is unknown; the error contains the nearest known name.
+/// The name is unknown. The error contains the nearest known name.
 pub fn built_in(name: &str) -> Result<&'static BuiltIn> {
     let found = SCENES.iter().find(|s| s.name == name);
     found.ok_or_else(|| {

@@ -21,7 +21,7 @@ pub const BETWEEN_PLATES: &str = " + ";
 /// use gaitcam::error::Result;
 /// use gaitcam::scene::{Files, Gait};
 ///
-/// /// One file, whatever its name.
+/// /// Returns the same content for every file name.
 /// struct One(&'static str);
 ///
 /// impl Files for One {
@@ -84,7 +84,7 @@ impl Gait {
     ///
     /// # Errors
     ///
-    /// Errors of the load model, of a file or of a recording; every walker of a population that has an error.
+    /// Errors of the load model, of a file or of a recording. For a population, the error lists every walker with an error.
     pub fn force(&self, files: &dyn Files) -> Result<Option<ForceCurve>> {
         let Source::File(first) = &self.source else {
             return self.model_force();
@@ -131,7 +131,7 @@ impl Gait {
         Ok(Some((files.shown(name), bytes, options)))
     }
 
-    /// Names of all files that contain the force. They are recordings and tables of subjects; every plate file of a trial is listed.
+    /// Names of all files that contain the force: recordings, all plate files of each trial, and tables of subjects.
     ///
     /// # Errors
     ///
@@ -169,7 +169,7 @@ impl Gait {
     }
 }
 
-/// Whether a file is a table of subjects, by its name.
+/// Whether the name of a file denotes a table of subjects.
 fn is_about_subjects(file: &Path) -> bool {
     let stem = file.file_stem().unwrap_or_default().to_string_lossy();
     stem.to_lowercase().ends_with("metadata")
@@ -196,7 +196,7 @@ pub fn content(files: &dyn Files, name: &Path) -> Result<Arc<Vec<u8>>> {
     })
 }
 
-/// Names of the files of a recording: the plate files of a trial, otherwise the file itself.
+/// Names of the plate files of a trial. Any other recording is one file, so the result is its name.
 pub fn plates(files: &dyn Files, name: &Path) -> Vec<PathBuf> {
     match name.to_str() {
         Some(text) if text.contains(BETWEEN_PLATES) && !files.has(name) => text

@@ -54,7 +54,7 @@ use crate::force::ForceCurve;
 pub struct Scene {
     /// Name of the scene and of its output folder.
     pub name: String,
-    /// Target force; `None` for a classical programme.
+    /// Target force; `None` if only points, dwells or segments determine the law.
     pub gait: Option<Gait>,
     /// Drive: relation between lift and force.
     pub drive: DriveSpec,
@@ -62,7 +62,7 @@ pub struct Scene {
     pub law: LawSpec,
     /// Dimensions and material of the cam and its follower.
     pub cam: CamSpec,
-    /// Limits of the design.
+    /// Limits of the design, in SI units.
     pub limits: Limits,
     /// Properties of the machine in addition to its drive.
     pub machine: MachineSpec,

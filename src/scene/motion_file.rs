@@ -178,7 +178,7 @@ struct Column {
 }
 
 impl Column {
-    /// The first column with one of these names; `None` if there is no such column. Its unit must belong to one of the dimensions.
+    /// First column whose name is in `names`, or `None`. Its unit must have one of the `dimensions`.
     fn find(
         path: &Path,
         table: &NumberTable,
@@ -221,7 +221,7 @@ impl Column {
     }
 }
 
-/// Numbers of a motion as written in the file, in the units of the columns. The last decimal shows the rounding of the rows.
+/// Numbers of a motion as written in the file, in the units of the columns. Their last decimal shows how they are rounded.
 struct Rows {
     angle: (Column, Vec<f64>),
     lift: (Column, Vec<f64>),

@@ -12,7 +12,7 @@ impl Scene {
     /// use gaitcam::error::SceneError;
     /// use gaitcam::{Scene, scene};
     ///
-    /// // A load model has its own stride: the rate of a recording changes nothing.
+    /// // A load model is not sampled, so the sampling rate of a recording has no effect.
     /// let scene: Scene = scene::built_in("footbridge")?.scene()?.with("gait.rate", "100 Hz")?;
     /// let [SceneError::NoEffect { key, .. }] = &scene.notes()[..] else { panic!("{:?}", scene.notes()) };
     /// assert_eq!(key, "gait.rate");

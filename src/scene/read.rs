@@ -147,7 +147,7 @@ fn collect<'a>(
     Ok(())
 }
 
-/// What a path in a scene file denotes: a section, a list or a key.
+/// Meaning of a path in a scene file: a section, a list or a key.
 enum Node {
     Section,
     List,

@@ -253,7 +253,8 @@ fn keyway(scene: &Scene, typed: Typed) -> Verdict {
     }
 }
 
-/// Checks that the base radius is positive and larger than the bore, and that the offset is smaller than the prime radius.
+/// Checks that the base radius is positive and that the base circle encloses the bore with its keyway. The offset must be smaller than the
+/// prime radius.
 fn circles(scene: &Scene, typed: Typed) -> Verdict {
     let cam = &scene.cam;
     let length = |path: &str, value: f64| typed.text(path, value, Dimension::Length);
@@ -295,8 +296,8 @@ fn circles(scene: &Scene, typed: Typed) -> Verdict {
     Ok(())
 }
 
-/// Checks three conditions. A target force requires one turn of a disc cam. Several turns and translating cams require a programme. An arm requires a
-/// drive with a fixed axis.
+/// Checks three conditions. A target force requires a rotating cam with a law over one turn. Several turns and translating cams require a
+/// programme. An arm requires a drive with a fixed axis.
 fn motion(scene: &Scene, _: Typed) -> Verdict {
     let cam = &scene.cam;
     if cam.is_oscillating() && scene.drive.kind == DriveKind::MovingAxis {
@@ -331,7 +332,7 @@ fn pair(scene: &Scene, _: Typed) -> Verdict {
     }
 }
 
-/// Checks that keys for splines are given only with a spline.
+/// Checks that a force band, phase weights and the peak force error are used only with a spline.
 fn splines(scene: &Scene, _: Typed) -> Verdict {
     let law = &scene.law;
     let Some(gait) = &scene.gait else {
@@ -354,7 +355,7 @@ fn splines(scene: &Scene, _: Typed) -> Verdict {
     Err((key, SceneError::OnlySplines { family }))
 }
 
-/// Checks the requirements of a polydyne cam.
+/// Checks the requirements of a polydyne cam: a flexible follower, a smooth law, and a rotating cam without constant breadth.
 fn polydyne(scene: &Scene, _: Typed) -> Verdict {
     let (law, machine) = (&scene.law, &scene.machine);
     if !law.polydyne {

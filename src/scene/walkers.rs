@@ -12,7 +12,7 @@ use crate::wording::InLanguages;
 /// Maximum number of names in a message.
 const LISTED: usize = 12;
 
-/// File name extensions of tables.
+/// File name extensions of tables of walkers, in lower case.
 const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
 
 /// Reads a population file by file. Errors of files are collected and reported at the end.
@@ -21,7 +21,7 @@ pub(super) struct PopulationReader<'a> {
     walkers: Vec<Walker>,
     /// Errors of the files and rows that could not be read as a cycle.
     unreadable: Vec<Error>,
-    /// All names of files and rows.
+    /// Names of all files and rows read so far. Excluded names are compared with them.
     names: RefCell<BTreeSet<String>>,
 }
 
@@ -48,7 +48,7 @@ impl<'a> PopulationReader<'a> {
         self.is_named(&[row.name.clone(), place])
     }
 
-    /// Whether the scene excludes one of the names of a file or row. The names are recorded as those that exist.
+    /// Whether the scene excludes a file or row by one of its names. The names are added to the list of existing names.
     fn is_named(&self, names: &[String]) -> bool {
         self.names.borrow_mut().extend(names.iter().cloned());
         names.iter().any(|name| self.gait.leave_out.contains(name))
@@ -108,7 +108,7 @@ impl<'a> PopulationReader<'a> {
         }
     }
 
-    /// Mean force of the walkers, with the population that was read.
+    /// Mean force of all walkers that were read. The result contains the population.
     ///
     /// # Errors
     ///
@@ -127,7 +127,7 @@ pub(super) fn is_table_of_walkers(path: &Path, bytes: &[u8]) -> bool {
     TABLES.contains(&ending.to_lowercase().as_str()) && force::is_population(bytes)
 }
 
-/// The walker of a single recording.
+/// Reads one recording as one walker, with the name of the file without its extension.
 fn cycle(
     gait: &Gait,
     path: &Path,
@@ -196,7 +196,7 @@ impl Gait {
 }
 
 impl Gait {
-    /// Names of the open questions about the recording of a cycle that the scene does not accept.
+    /// Names of the open questions about the recording of a cycle. Questions that the scene accepts are omitted.
     pub fn open_questions(&self, curve: &ForceCurve) -> Vec<&'static str> {
         let recording = curve.recording.as_ref();
         let notes = recording.map_or(&curve.notes[..], |r| &r.warnings);
@@ -212,7 +212,7 @@ fn file_name(path: &Path) -> String {
     name.to_string_lossy().into_owned()
 }
 
-/// Name of a file without its extension: the name of the walker in a recording.
+/// Name of a file without its extension. For a recording, it is also the name of the walker.
 fn stem(path: &Path) -> String {
     let name = path.file_stem().unwrap_or_default();
     name.to_string_lossy().into_owned()

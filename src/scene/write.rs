@@ -64,7 +64,8 @@ impl Scene {
     }
 }
 
-/// Number of entries in the list that contains the key. It is the number of values of a required key of the list.
+/// Number of entries in the list that contains the key. Every entry has the required keys of the list, so the values of one of them are
+/// counted.
 fn entries(scene: &Scene, key: &Key) -> usize {
     let list = key.list();
     let sibling = |k: &&Key| k.list() == list && k.is_required(scene);

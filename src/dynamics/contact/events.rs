@@ -29,12 +29,12 @@ struct Engine<'a> {
     surfaces: &'a [Surface],
     drive: &'a Drive,
     restitution: f64,
-    /// Damping γ of the free motion y″ + γ y′ + κ y + f = 0, per radian.
+    /// Damping γ of the free motion y″ + γ y′ + κ y + f = 0, per radian. The height is y, κ is the field `kappa`, and f is `push`.
     gamma: f64,
     kappa: f64,
     push: f64,
     massless: bool,
-    /// Reference lift, m, and velocity, m/s, for detecting rounding errors.
+    /// Reference lift, m, for detecting rounding errors. Speeds up to `rest_speed`, m/s, count as zero.
     lift_scale: f64,
     rest_speed: f64,
     run: ContactRun,
@@ -206,8 +206,8 @@ impl Engine<'_> {
     }
 
     /// First angle at which the flight meets a profile, and the index of this profile. The second derivative of the gap g has a lower bound
-    /// −B. Within a distance d, the gap is therefore positive up to the first zero of g + g′d − Bd²/2. Each step of the search has the
-    /// length of this zero.
+    /// −B. At the angle d ahead, the gap is therefore at least g + g′d − Bd²/2. Each step of the search ends at the first zero of this
+    /// bound.
     fn landing(&self, flight: &Flight, left: usize, blind: f64, end: f64) -> Option<(f64, usize)> {
         let fall = flight.steepest_fall();
         let mut now = flight.start;
@@ -344,8 +344,8 @@ fn overtaken(own: &Surface, other: &Surface, now: f64, until: f64, floor: f64) -
             return Some(at);
         }
         let free = (opening + (opening * opening + 2.0 * bound * gap.max(0.0)).sqrt()) / bound;
-        // Intervals where the profiles coincide (both on the base circle) are passed in small steps. The crossing itself is then searched from the
-        // last open gap.
+        // Intervals in which the profiles coincide, for example on the base circle, are passed in small steps. Bisection within the last
+        // step locates the crossing.
         let small = 1e-7;
         if free < small && gap > floor && opening < 0.0 {
             if free <= 4.0 * f64::EPSILON * at.abs().max(1.0) {

@@ -1,7 +1,8 @@
 //! Free flight of the moved mass: m ÿ + c ẏ + k y + F₀ = 0 in closed form over the cam angle.
 //!
-//! Division by mω² gives y″ + γ y′ + κ y + f = 0. S is the response to a unit initial velocity, and I = ∫S. The solution y = y₀ + y₀′(S +
-//! γI) + y₀″ I has no cancellation for a small stiffness or damping. Without spring and damper, the flight is a parabola.
+//! Division by mω² gives y″ + γ y′ + κ y + f = 0, with γ = c/(mω), κ = k/(mω²) and f = F₀/(mω²). The initial values are y₀, y₀′ and y₀″. S
+//! is the response to a unit initial velocity, and I = ∫S. The solution y = y₀ + y₀′(S + γI) + y₀″ I has no cancellation for a small
+//! stiffness or damping. Without spring and damper, the flight is a parabola.
 
 /// Value of (γ + √κ)·(angle since the start) below which S and I are computed by series.
 const SERIES_PHASE: f64 = 0.5;
@@ -40,7 +41,7 @@ impl Flight {
     /// Upper bound of −y″ at all later angles, m/rad².
     pub fn steepest_fall(&self) -> f64 {
         if self.kappa == 0.0 {
-            // y″ decays from its first value.
+            // y″ decays from its initial value, so this value determines the bound.
             return (-self.curvature).max(0.0);
         }
         // y″ satisfies the same homogeneous equation, so (y″)² + (y‴)²/κ does not increase.
@@ -48,8 +49,8 @@ impl Flight {
         libm::hypot(self.curvature, third / self.kappa.sqrt())
     }
 
-    /// S, S′ and ∫S at the angle `t` since the start, rad. S solves y″ + γ y′ + κ y = 0 with S(0) = 0 and S′(0) = 1; ∫S is its integral
-    /// from 0.
+    /// S, S′ and ∫S at the angle `t` since the start, rad. S solves y″ + γ y′ + κ y = 0 with S(0) = 0 and S′(0) = 1. ∫S is the integral of
+    /// S from 0.
     fn fundamental(&self, t: f64) -> (f64, f64, f64) {
         if self.gamma == 0.0 && self.kappa == 0.0 {
             return (t, 1.0, 0.5 * t * t);
@@ -137,8 +138,7 @@ mod tests {
             (900.0, 1.0),
         ] {
             let f = flight(kappa, gamma);
-            // y″ + γ y′ + κ(y − y₀) = y₀″ + γ y₀′, tested by its integral over [a, b]:
-            // y′ + γ y + κ∫y: compare finite differences of y′ instead.
+            // Central differences of y′ check the equation of motion y″ + γ y′ + κ(y − y₀) = y₀″ + γ y₀′.
             let h = 1e-4;
             for i in 1..40 {
                 let t = 0.5 + 0.07 * f64::from(i);

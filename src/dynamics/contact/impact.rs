@@ -1,4 +1,4 @@
-//! Impacts of a rigid mass: the separation speed is e times the approach speed.
+//! Impacts of a rigid mass. The separation speed is the approach speed multiplied by the coefficient of restitution.
 
 use crate::error::{DynamicsError, Result};
 

@@ -46,7 +46,7 @@ pub enum Phase {
     },
 }
 
-/// A phase with its first and last angle, rad; angles increase over several turns.
+/// A phase with its first and last angle, rad. The angles increase over several turns.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -64,9 +64,9 @@ pub enum Phase {
 pub struct Stretch {
     /// Contact, flight or loss of contact.
     pub phase: Phase,
-    /// First angle of the phase.
+    /// First angle of the phase, rad.
     pub from: f64,
-    /// Last angle of the phase.
+    /// Last angle of the phase, rad.
     pub to: f64,
 }
 
@@ -78,7 +78,7 @@ pub struct Stretch {
 /// use gaitcam::dynamics::{Model, Run, simulate};
 /// use gaitcam::law::Law;
 ///
-/// // Above lift-off the follower flies and lands.
+/// // Above the lift-off speed, the follower leaves the cam and lands.
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let run = Run::new(cam, Drive::moving_axis(10.0, 9.81, 1.3 * (9.81_f64 / 0.01).sqrt()), 720);
 /// let impacts = simulate(&run, Model::Contact)?.impacts;
@@ -88,13 +88,13 @@ pub struct Stretch {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Impact {
-    /// Angle of the landing, rad; angles increase over several turns.
+    /// Angle of the landing, rad. The angles increase over several turns.
     pub at: f64,
     /// Index of the profile on which the mass lands.
     pub surface: usize,
     /// Approach speed of the surfaces, m/s.
     pub speed: f64,
-    /// Angle at which the flight began, rad; for a change of profile without flight, the angle of the landing.
+    /// Angle at which the flight began, rad. For a change of profile without flight, it is the angle of the landing.
     pub since: f64,
     /// Maximum gap of the flight, m.
     pub height: f64,
@@ -102,7 +102,7 @@ pub struct Impact {
     pub pulse: Pulse,
 }
 
-/// Result of a simulation that starts in contact with the profile.
+/// Result of an event-driven contact simulation. The mass starts in contact.
 ///
 /// ```
 /// use gaitcam::drive::Drive;

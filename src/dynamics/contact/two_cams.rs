@@ -18,7 +18,7 @@ pub fn envelope(one: &Law, other: &Law) -> Law {
     let [a, b] = both(&breaks);
     let difference = PiecewisePoly::combine(&[(1.0, &a), (-1.0, &b)], 0.0);
     let mut finer = breaks.clone();
-    // A root that differs from a break only by rounding errors is this break.
+    // A root that differs from a break only by rounding errors counts as this break.
     let apart = |r: &f64| breaks.iter().all(|x| (x - r).abs() > 1e-9);
     finer.extend(difference.roots().iter().filter(|r| apart(r)));
     finer.sort_by(f64::total_cmp);

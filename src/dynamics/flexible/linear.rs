@@ -22,7 +22,7 @@ pub const STIFFEST: f64 = 1e9;
 /// use nalgebra::{Matrix2, Vector2};
 /// use gaitcam::law::Law;
 ///
-/// // z′ = −z + sin θ: after many turns z = (sin θ − cos θ)/2, so −½ at the start of a turn.
+/// // In the steady state of z′ = −z + sin θ, z is (sin θ − cos θ)/2. It is −½ at the start of a turn.
 /// let forcing = Law::harmonic(0.0, &[(0.0, 1.0)]).combination([1.0, 0.0, 0.0, 0.0], 0.0);
 /// let linear = Linear {
 ///     rates: -Matrix2::identity(),
@@ -81,7 +81,7 @@ impl Linear {
             return None;
         }
         let last = once.last().copied().unwrap_or_default();
-        // At the start of a turn the state is z₀ + kick; `once` contains the kick alone.
+        // The state at the start of a turn is z₀ + kick(0). `once` is computed with z₀ = 0.
         let start = closing.lu().solve(&last)?;
         Some(run(&steps, forcing, start + kick(0), &kick))
     }
@@ -150,7 +150,8 @@ fn run(
     out
 }
 
-/// Response integrals ∫ e^{Z(1−u)} b Bₖ(u) du·width for all Bernstein polynomials Bₖ of degree `degree`. ‖Z‖ must not exceed about 1.
+/// Response integrals ∫ e^{Z(1−u)} b Bₖ(u) du·width over u from 0 to 1, for all Bernstein polynomials Bₖ of degree `degree`. Z is A
+/// multiplied by the width. ‖Z‖ must not exceed about 1.
 fn push_once(
     z: &Matrix2<f64>,
     input: &Vector2<f64>,

@@ -27,7 +27,7 @@ pub(crate) use nalgebra::{Matrix2, Vector2};
 /// use gaitcam::dynamics::flexible::{Train, steady};
 /// use gaitcam::law::Law;
 ///
-/// // Far below its natural frequency, 100.5 times the shaft's, the follower deflects by force/stiffness.
+/// // The natural frequency is 100.5 times the shaft speed, so the follower deflects by nearly force/stiffness.
 /// let drive = Drive::moving_axis(10.0, 9.81, 10.0);
 /// let train = Train { stiffness: 10.0 * 1005.0_f64.powi(2), damping: 0.0 };
 /// let run = steady(&Law::harmonic(0.01, &[(0.0, 0.01)]), &drive, &train)?;
@@ -52,7 +52,7 @@ pub struct Steady {
 /// Linear system of a train, its polynomial input and the conversion to forces.
 struct Model {
     linear: Linear,
-    /// The rigid force polynomial, N.
+    /// Force of a rigid follower as a piecewise polynomial, N.
     force: PiecewisePoly,
     /// Weights w of the contact force Σ wᵢ zᵢ, N. The states z are the deflection x and x′/scale, with scale = √((k + k₁)/(mω²)).
     contact: Vector2<f64>,
@@ -106,10 +106,10 @@ pub fn steady(law: &Law, drive: &Drive, train: &Train) -> Result<Steady> {
     })
 }
 
-/// Distance below which two breaks coincide, rad.
+/// Distance below which two breaks count as one, rad.
 const SAME: f64 = 1e-9;
 
-/// The model with its input divided at further angles, and its periodic states; `None` if only the static part of the response remains.
+/// Model whose input has additional breaks at `cuts`, rad, and its periodic states at all breaks. `None` if the response is quasi-static.
 fn periodic(
     law: &Law,
     drive: &Drive,
@@ -139,7 +139,7 @@ fn periodic(
     Ok(Some((model, states)))
 }
 
-/// Fraction of the maximum lift below which a step of lift or velocity is a rounding error.
+/// Fraction of the maximum lift below which a step of lift or velocity counts as a rounding error.
 const ROUNDING: f64 = 1e-12;
 
 /// Steps of the relative state (x, x′/scale) at the jumps of lift and velocity of the law. Each step is given with the index of the input
@@ -194,7 +194,7 @@ fn quasi_static(law: &Law, drive: &Drive, train: &Train) -> Steady {
     }
 }
 
-/// Values of a piecewise polynomial at its breaks: from the right, at the last break from the left.
+/// Values of a piecewise polynomial at its breaks. They are limits from the right, except the last value, which is the limit from the left.
 fn breaks_of(p: &PiecewisePoly) -> impl Iterator<Item = f64> + '_ {
     let last = p.pieces() - 1;
     (0..=last)
@@ -213,7 +213,7 @@ fn read(law: &Law, drive: &Drive, train: &Train, model: &Model, states: &[Vector
         output: Vec::new(),
         theta,
     };
-    // Without mass, the damper force follows from the balance of forces: N = F + (k x + c ω x′).
+    // Without mass, x′ is not a state. The damper force c₁ ω x′ is computed from the derivative of x.
     let extra = if drive.mass <= 0.0 {
         train.damping * drive.speed
     } else {

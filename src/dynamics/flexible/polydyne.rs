@@ -1,4 +1,4 @@
-//! Polydyne (splinedyne) cams: the lift for which the end of a compliant follower moves by a target law.
+//! Polydyne (splinedyne) cams: the lift for which the end of a compliant follower follows a target law.
 //!
 //! The end y of a follower of mass m on a train of stiffness k₁ and damping c₁ obeys
 //!
@@ -28,21 +28,21 @@ use std::f64::consts::TAU;
 const MOST_PARTS: f64 = 16.0;
 /// Maximum length of a part of a span, rad. On this length a polynomial of degree 7 approximates a sinusoid of rate 20 to 1e-10.
 const LONGEST_PART: f64 = TAU / 180.0;
-/// Lag below which the train counts as undamped, rad.
+/// Lag τ = c₁ω/k₁, rad, below which the train counts as undamped.
 const INSTANT: f64 = 1e-8;
-/// Fraction of the size of a derivative below which its jumps are rounding errors.
+/// Fraction of the bound of a derivative below which its jumps count as rounding errors.
 const ROUNDING: f64 = 1e-6;
 /// Number of angles per cycle at which the motion of the follower end is compared with the target.
 const COMPARED: usize = 720;
 
-/// Law of the cam for which the end of a compliant follower moves by `target` at the speed of the drive.
+/// Law of the cam for which the end of a compliant follower follows `target` at the speed of the drive.
 ///
 /// The lift includes the constant F₀/k₁, which is the static deflection by the rest force.
 ///
 /// # Errors
 ///
-/// Invalid stiffness or damping; an open law; a target law with a jump in one of its first four derivatives (fewer without mass), because the
-/// acceleration of the cam would jump.
+/// Invalid stiffness or damping; an open law; a target law with a jump in one of its first four derivatives (fewer without mass). Such a
+/// jump would cause a jump in the acceleration of the cam.
 pub fn polydyne(target: &Law, drive: &Drive, train: &Train) -> Result<Law> {
     train.check()?;
     let Train { stiffness, damping } = *train;
@@ -127,8 +127,8 @@ fn hermite(width: f64, start: [f64; 4], end: [f64; 4]) -> [f64; 8] {
     [a, b, c, d, e, f, g, h]
 }
 
-/// Complex ratio of the cam's lift s to the motion y of the follower end for e^{irθ}: 1 + (k − m r²ω² + i r c ω)/(k₁ + i r c₁ ω), as real
-/// and imaginary part.
+/// Complex ratio of the cam's lift s to the motion y of the follower end for e^{irθ}, as real and imaginary part. The ratio is 1 + (k − m
+/// r²ω² + i r c ω)/(k₁ + i r c₁ ω).
 fn gain(rate: f64, drive: &Drive, stiffness: f64, damping: f64) -> (f64, f64) {
     let [k, c, m, _] = drive.weights();
     let (re, im) = (k - m * rate * rate, c * rate);
@@ -188,7 +188,7 @@ fn continuous_derivatives(law: &Law, most: usize) -> (usize, f64) {
 /// use gaitcam::scene;
 /// use gaitcam::synth::synthesise;
 ///
-/// // A polydyne cam has a smaller deviation than the target law itself as cam.
+/// // A polydyne cam has a smaller deviation than a cam whose lift is the target law.
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let scene = scene.with("machine.natural_frequency", "12 Hz")?.with("law.degree", "7")?.with("law.polydyne", "true")?;
 /// let end = synthesise(&scene, scene.model_force()?.as_ref())?.end.unwrap();

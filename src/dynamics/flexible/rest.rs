@@ -1,8 +1,8 @@
 //! Residual vibration of the follower in a dwell.
 //!
-//! In a dwell the rigid force is a constant F. The follower vibrates about its static deflection −F/K, with K = k + k₁ of return spring and
-//! train. The amplitude is √(2 E/K) with the energy E of this vibration at the start of the dwell. This amplitude is an upper bound of the
-//! motion in the dwell. Without damping, the amplitude is reached in every cycle (theory §10).
+//! In a dwell, the rigid force is a constant F. The follower vibrates about its static deflection −F/K. K = k + k₁ is the sum of the
+//! stiffnesses of return spring and train. The amplitude is √(2 E/K) with the energy E of this vibration at the start of the dwell. This
+//! amplitude is an upper bound of the motion in the dwell. Without damping, the amplitude is reached in every cycle (theory §10).
 
 use super::{SAME, Train, periodic};
 use crate::drive::Drive;

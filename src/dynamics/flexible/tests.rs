@@ -10,7 +10,7 @@ fn open(poly: PiecewisePoly, waves: Vec<Vec<Wave>>) -> Law {
     Law::with_waves(poly, waves, false)
 }
 
-/// Rises of unit lift over unit angle.
+/// Cycloidal rise of unit lift over unit angle. The next functions return other motions of the same lift and angle.
 fn cycloidal() -> Law {
     let wave = Wave {
         rate: TAU,
@@ -49,11 +49,11 @@ fn power(p: &[f64]) -> Law {
     )
 }
 
-/// Acceleration of the modified sine (quarter sine of rate 4π up to 1/8, half sine of rate 4π/3 in the middle).
+/// Modified-sine rise of unit lift. The acceleration is a quarter sine of rate 4π up to 1/8 and a half sine of rate 4π/3 in the middle.
 fn modified_sine() -> Law {
     let c = 1.0 / (PI + 4.0);
     let at = |x: f64| c * (PI * x - 0.25 * (4.0 * PI * x).sin());
-    // Middle: s = c(2 + πx − (9/4) sin(4πx/3 + π/3)); last: c(4 + πx − ¼ sin 4πx).
+    // Lift in the middle: s = c(2 + πx − (9/4) sin(4πx/3 + π/3)). Lift at the end: c(4 + πx − ¼ sin 4πx).
     let line = |x: f64, c0: f64| c * (c0 + PI * x);
     let poly = PiecewisePoly::new(
         vec![0.0, 0.125, 0.875, 1.0],
@@ -82,7 +82,7 @@ fn modified_sine() -> Law {
     law
 }
 
-/// Acceleration of the modified trapezoid: constant 2 from 1/8 to 3/8 with sine flanks, scaled to unit lift.
+/// Modified-trapezoid rise of unit lift. The acceleration is constant from 1/8 to 3/8, between sinusoidal flanks.
 fn modified_trapezoid() -> Law {
     let peak = 8.0 * PI / (2.0 + PI);
     let r = 4.0 * PI;
@@ -155,7 +155,7 @@ fn residual_vibration(law: &Law, ratio: f64) -> f64 {
 
 #[test]
 fn residual_vibrations_are_the_closed_forms_to_1e_6() {
-    // theory §7: λ = rise time over natural period; undamped.
+    // Closed forms of theory §7 without damping. λ is the rise time divided by the natural period.
     for i in 0..200 {
         let lambda = 0.513 + 0.0713 * f64::from(i);
         let ratio = TAU * lambda;
@@ -183,7 +183,7 @@ fn residual_vibrations_are_the_closed_forms_to_1e_6() {
 
 #[test]
 fn the_worst_residual_vibrations_are_those_of_the_table() {
-    // theory §7, worst over λ ∈ [5, 6] and [10, 11], two digits.
+    // Table of theory §7, two digits: maximum residual vibration over λ ∈ [5, 6] and over λ ∈ [10, 11].
     let p345 = power(&[0.0, 0.0, 0.0, 10.0, -15.0, 6.0]);
     let p4567 = power(&[0.0, 0.0, 0.0, 0.0, 35.0, -84.0, 70.0, -20.0]);
     for (law, near, far) in [
@@ -213,8 +213,8 @@ fn stated_exponent(x: f64) -> f64 {
 
 #[test]
 fn the_steady_state_of_a_harmonic_cam_is_the_textbook_amplification() {
-    // s = h sin θ, one mass, base excitation through k₁, c₁: N = Re of −(k₁ + i c₁ ω) X e^{iθ} with
-    // X = −F̂/((k + k₁) − mω² + i(c + c₁)ω).
+    // Lift s = h sin θ, one mass, excitation through k₁ and c₁. The contact force has the amplitude −(k₁ + i c₁ ω) X with X = −F̂/((k + k₁)
+    // − mω² + i(c + c₁)ω).
     let law = Law::harmonic(0.0, &[(0.0, 0.01)]);
     let drive = Drive {
         spring_rate: 900.0,
@@ -228,7 +228,7 @@ fn the_steady_state_of_a_harmonic_cam_is_the_textbook_amplification() {
     };
     let steady = steady(&law, &drive, &train).unwrap();
     let (m, w) = (1.0, 30.0);
-    // Static part: rest force shared by both springs.
+    // Both springs share the static rest force.
     let static_n = drive.rest_force * k1 / (k1 + 900.0);
     let f = (-0.01 * (m * w * w - 900.0), 0.01 * 3.0 * w);
     let den = (900.0 + k1 - m * w * w, (3.0 + c1) * w);
@@ -243,7 +243,7 @@ fn the_steady_state_of_a_harmonic_cam_is_the_textbook_amplification() {
         let exact = static_n + n.0 * t.sin() + n.1 * t.cos();
         assert!((got - exact).abs() < 1e-11, "{t} {got} {exact}");
     }
-    // Between the 1440 points of an emitted cam the extremes are those of the exact wave.
+    // With an output profile of 1440 points, the extremes equal the extremes of the exact sinusoid.
     let cam = Cam {
         law,
         ..thesis::eccentric()
@@ -300,8 +300,8 @@ fn stiff_and_slow_machines_end_in_the_rigid_force() {
 
 #[test]
 fn a_stiff_smooth_machine_above_50_hertz_is_rigid_within_0_2_percent() {
-    // theory §10 states 0.20 % BW RMS at 50 Hz, 0.60 % at 30 Hz, 0.05 % at 100 Hz for smooth walking
-    // targets; the eccentric is smoother: the error of its one harmonic is r²·(amplitude)/√2.
+    // Theory §10 gives RMS errors of 0.20 % of the body weight at 50 Hz, 0.60 % at 30 Hz and 0.05 % at 100 Hz for smooth walking targets.
+    // The eccentric has one harmonic. With the ratio r of shaft speed to natural frequency, its error is r²·(amplitude)/√2.
     let cam = thesis::eccentric();
     let drive = thesis::real(thesis::SPEED);
     let train = Train::from_frequency(&drive, 50.0, 0.05).unwrap();
@@ -318,7 +318,7 @@ fn a_stiff_smooth_machine_above_50_hertz_is_rigid_within_0_2_percent() {
 
 #[test]
 fn a_fluid_column_in_series_shares_its_give() {
-    // Massless column on the specimen's spring: static F = s·k·k₁/(k + k₁).
+    // Massless fluid column in series with the spring of the specimen. The static force is F = s·k·k₁/(k + k₁).
     let law = thesis::double_harmonic().law;
     let drive = Drive::hydraulic(1e11, 0.02, thesis::SPEED);
     let k = drive.spring_rate;
@@ -330,7 +330,7 @@ fn a_fluid_column_in_series_shares_its_give() {
     for (t, f) in got.theta.iter().zip(&got.output) {
         assert!((f - 0.9 * k * law.svaj(*t).s).abs() < 1e-12 * k);
     }
-    // With a damper the lag of a first-order column at one harmonic: output/input = (k₁ + i c₁ω)/(k + k₁ + i c₁ω).
+    // With a damper, the column is a first-order lag. At one harmonic, output/input = (k₁ + i c₁ω)/(k + k₁ + i c₁ω).
     let wave = Law::harmonic(0.0, &[(0.0, 0.01)]);
     let c = 0.3 * k / thesis::SPEED;
     let train = Train {
@@ -351,7 +351,7 @@ fn a_fluid_column_in_series_shares_its_give() {
 
 #[test]
 fn a_follower_on_a_law_with_a_velocity_step_is_struck() {
-    // A ramp that turns back: constant slopes ±1, undamped, no forcing but the kicks.
+    // The lift rises and falls with the constant slopes ±1. Without damping, only the velocity steps excite the follower.
     let poly = PiecewisePoly::new(vec![0.0, PI, TAU], 1, vec![0.0, PI, PI, 0.0]);
     let law = Law::from_poly(poly, true);
     let drive = Drive {
@@ -363,7 +363,7 @@ fn a_follower_on_a_law_with_a_velocity_step_is_struck() {
         damping: 0.0,
     };
     let got = steady(&law, &drive, &train).unwrap();
-    // x″ + w²x = 2δ(π) − 2δ(0) periodic: by symmetry x at the kinks is ∓tan(wπ/2)/w.
+    // Periodic solution of x″ + w²x = 2δ(π) − 2δ(0). By symmetry, x at the kinks is ∓tan(wπ/2)/w.
     let exact = (2.5 * PI / 2.0).tan() / 2.5;
     assert!(
         (got.deflection[0].abs() - exact.abs()).abs() < 1e-12,

@@ -3,7 +3,7 @@
 use crate::drive::{Drive, DriveKind};
 use crate::error::{DynamicsError, Result};
 
-/// Spring and damper in series between the cam and the moved mass.
+/// Parallel spring and damper between the cam and the moved mass.
 ///
 /// ```
 /// use gaitcam::drive::Drive;

@@ -115,7 +115,8 @@ fn stretches(
         .collect()
 }
 
-/// Sets the slopes to those of the splines through the heights. Where two intervals meet, the slope is the mean of both sides.
+/// Replaces the slopes by slopes of splines through the heights. Where two intervals meet, the slope is the mean of the slopes on both
+/// sides.
 fn slopes_from_heights(stretches: &mut [Vec<Station>], cycle: Cycle) {
     for stretch in stretches.iter_mut() {
         let slopes = slopes_of(stretch, |s| s.height);

@@ -5,14 +5,14 @@ use std::f64::consts::TAU;
 use crate::law::{Law, Svaj};
 use crate::poly::bernstein;
 
-/// Motion of a follower on an output profile.
+/// Motion of a follower, recovered from the points of an output profile.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
 /// use gaitcam::dynamics::recover;
 /// use gaitcam::law::Law;
 ///
-/// // The points of an eccentric disc give its harmonic back.
+/// // The lift recovered from an eccentric disc is its harmonic.
 /// let follower = Follower::FlatTranslating { base_radius: 0.02 };
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), follower)?;
 /// let emitted = recover(&follower, &cam.profile(360))?;
@@ -24,7 +24,7 @@ use crate::poly::bernstein;
 pub struct Emitted {
     /// Lift above the base circle (prime circle): polynomials of degree 4 between the angles of the points, C³ at all points except the breakpoints.
     pub law: Law,
-    /// Lift and derivatives at the points.
+    /// Lift and its derivatives at the points of the profile.
     pub nodes: Vec<Svaj>,
     /// Maximum difference between the lift of a point and the recovered lift, m. It is caused by noise, rounding, or rows that are not
     /// contact points.
@@ -47,7 +47,7 @@ impl Cycle {
         closed: true,
     };
 
-    /// Extent of the law of a cam.
+    /// Length of a law, and whether the law is closed.
     pub fn of(law: &Law) -> Cycle {
         Cycle {
             length: law.extent().1,

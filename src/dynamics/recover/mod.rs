@@ -1,10 +1,10 @@
-//! Recovery of the smooth lift of the follower from the points of an output profile. Row i of a profile is the contact at θᵢ. The height of
-//! the follower follows from the coordinates of the contact in the fixed frame. The slope of the lift follows from the position of the
-//! contact on the follower. For a flat face, the contact point is (v, Rb + s): derivative and value of the support function of the profile.
-//! For a roller the contact normal is (centre − contact)/Rf, and the slope follows from it. A C² cubic spline through the slopes is
-//! integrated to the lift (C³). The noise of the points is therefore divided by the angle step only once in the acceleration (theory §10).
-//! `stance` computes lift and slope of each kind of follower from a contact point. `breaks` joins intervals at the jumps of acceleration or
-//! jerk.
+//! Recovery of the smooth lift of the follower from the points of an output profile. Row i of a profile is the contact point at the cam
+//! angle θᵢ. The height of the follower follows from the coordinates of the contact point in the fixed frame. The slope v of the lift s
+//! follows from the position of the contact point on the follower. For a flat face with the base radius Rb, the contact point is (v, Rb +
+//! s). These are the derivative and the value of the support function of the profile. For a roller of radius Rf, the contact normal is
+//! (centre − contact)/Rf, and the slope follows from it. A C² cubic spline through the slopes is integrated to the lift (C³). The noise of
+//! the points is therefore divided by the angle step only once in the acceleration (theory §10). `stance` computes lift and slope of each
+//! kind of follower from a contact point. `breaks` joins intervals at the jumps of acceleration or jerk.
 
 mod breaks;
 mod emitted;
@@ -25,7 +25,7 @@ use emitted::lift_piece;
 use slopes::spline_slopes;
 use stance::{height_and_slope, slopes_known};
 
-/// Maximum deviation of the angles of a profile from equal steps, in steps, that rounding in a file can cause.
+/// Maximum deviation of a profile angle from equal steps, as a fraction of a step. Rounding in a file can cause such a deviation.
 const STEP_SLACK: f64 = 1e-3;
 /// Minimum mean number of rows between two breakpoints.
 const ROWS_BETWEEN_BREAKS: usize = 6;
@@ -158,7 +158,7 @@ fn refuse_concave(emitted: &Emitted, face: &Follower, start: f64, step: f64) -> 
 /// Quartic C³ lift with the given slopes at the nodes. Its mean over the nodes equals the mean of the heights.
 fn from_heights(start: f64, step: f64, closed: bool, heights: &[f64], slopes: &[f64]) -> Emitted {
     let n = heights.len();
-    // The mean slope of a closed lift is zero: the mean caused by noise is subtracted.
+    // The mean slope of a closed lift is zero. A mean slope that noise causes is subtracted.
     let drift = if closed {
         slopes.iter().sum::<f64>() / n as f64
     } else {

@@ -10,8 +10,8 @@ pub fn spline_slopes(values: &[f64], step: f64, closed: bool) -> Vec<f64> {
     }
 }
 
-/// Slopes at the nodes of the periodic C² cubic spline through equally spaced values:
-/// mᵢ₋₁ + 4mᵢ + mᵢ₊₁ = 3(yᵢ₊₁ − yᵢ₋₁)/step, by elimination with one cyclic correction.
+/// Slopes mᵢ at the nodes of the periodic C² cubic spline through equally spaced values yᵢ. They solve mᵢ₋₁ + 4mᵢ + mᵢ₊₁ = 3(yᵢ₊₁ −
+/// yᵢ₋₁)/step. The method is elimination with one cyclic correction.
 pub fn periodic_slopes(values: &[f64], step: f64) -> Vec<f64> {
     let n = values.len();
     let right = |i: usize| 3.0 * (values[(i + 1) % n] - values[(i + n - 1) % n]) / step;
@@ -42,7 +42,7 @@ pub fn periodic_slopes(values: &[f64], step: f64) -> Vec<f64> {
     x.iter().zip(&z).map(|(a, b)| a - factor * b).collect()
 }
 
-/// Number of neighbouring values that determine the slope at an end.
+/// Number of neighbouring values that determine the slope at the first or last node.
 const END_POINTS: usize = 5;
 
 /// Slopes at increasing `x` of the C² cubic spline through `y`. Each end slope is the slope of the polynomial through the nearest five values. With
@@ -55,7 +55,8 @@ pub fn slopes_at(x: &[f64], y: &[f64]) -> Vec<f64> {
     let mut slopes = vec![0.0; n];
     slopes[0] = slope_of_polynomial(&x[..END_POINTS], &y[..END_POINTS], 0);
     slopes[n - 1] = slope_of_polynomial(&x[n - END_POINTS..], &y[n - END_POINTS..], END_POINTS - 1);
-    // h₁ mᵢ₋₁ + 2(h₀ + h₁) mᵢ + h₀ mᵢ₊₁ = 3(h₁ d₀ + h₀ d₁), d the differences, h the widths on both sides.
+    // h₁ mᵢ₋₁ + 2(h₀ + h₁) mᵢ + h₀ mᵢ₊₁ = 3(h₁ d₀ + h₀ d₁). The widths before and after node i are h₀ and h₁, and the difference quotients
+    // are d₀ and d₁.
     let mut ratio = vec![0.0; n];
     for i in 1..n - 1 {
         let (before, after) = (x[i] - x[i - 1], x[i + 1] - x[i]);

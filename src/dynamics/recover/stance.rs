@@ -2,13 +2,13 @@
 
 use crate::cam::{Arm, Follower, Geometry, ProfilePoint};
 
-/// Whether a contact point determines the slope; false for a knife edge.
+/// Whether a contact point determines the slope of the lift; false for a knife edge.
 pub fn slopes_known(follower: &Follower) -> bool {
     follower.is_flat() || follower.roller_radius() > 0.0
 }
 
-/// Lift above the base circle (prime circle), m (rad for an arm), and slope of the lift for a contact at `point`; `None` if the follower cannot reach
-/// the point. The slope of a knife edge is undefined.
+/// Lift above the base circle (prime circle), m (rad for an arm), and slope of the lift for a contact at `point`. `None` if the follower
+/// cannot reach the point. A contact point does not determine the slope of a knife edge, which is returned as 0.
 pub fn height_and_slope(follower: &Follower, point: &ProfilePoint) -> Option<(f64, f64)> {
     let frame = Geometry::new(follower).frame(point.theta);
     let p = frame.in_space([point.x, point.y]);
@@ -35,8 +35,8 @@ pub fn height_and_slope(follower: &Follower, point: &ProfilePoint) -> Option<(f6
 }
 
 /// Lift and slope of a translating follower with a roller or arc that touches the profile at `p`. The centre of the circle is above `p` on
-/// the line x = e, with the offset e. The vector (side, up) from `p` to the centre is perpendicular to the tangent of the pitch curve:
-/// Y·side + (Y′ − e)·up = 0, where Y is the height of the centre.
+/// the line x = e, with the offset e. The vector (side, up) from `p` to the centre is perpendicular to the tangent of the pitch curve. With
+/// the height Y of the centre, this condition is Y·side + (Y′ − e)·up = 0.
 fn above(p: [f64; 2], offset: f64, radius: f64, rest: f64) -> (f64, f64) {
     if radius == 0.0 {
         return (p[1] - rest, 0.0);
@@ -57,9 +57,9 @@ fn unrolled(p: [f64; 2], rest: f64, radius: f64, scale: f64) -> (f64, f64) {
     (p[1] + up - rest, scale * p[0] / up)
 }
 
-/// Lift ξ − ξ₀, rad, and slope dξ/dθ of an arm with a roller or arc that touches the profile at `p`. The centre C is at the arm length from
-/// the pivot and at the roller radius from `p`. Of the two solutions, the one with the larger ξ is used. The slope is (J·C)·n/(C′·n), with
-/// the contact normal n, C′ = dC/dξ, and J the rotation by 90°.
+/// Lift ξ − ξ₀, rad, and slope dξ/dθ of an arm with a roller or arc that touches the profile at `p`. The arm is at the angle ξ, and at ξ₀
+/// on the prime circle. The centre C is at the arm length from the pivot and at the roller radius from `p`. Of the two solutions, the one
+/// with the larger ξ is used. The slope is (J·C)·n/(C′·n), with the contact normal n, C′ = dC/dξ, and J the rotation by 90°.
 fn on_arm(follower: &Follower, p: [f64; 2]) -> Option<(f64, f64)> {
     let Arm { pivot, length: arm } = follower.arm()?;
     let side = pivot.signum();
@@ -82,10 +82,10 @@ fn on_arm(follower: &Follower, p: [f64; 2]) -> Option<(f64, f64)> {
     Some((angle - follower.start_angle()?, slope))
 }
 
-/// Lift ξ − ξ₀, rad, and slope dξ/dθ of an arm with a flat face that touches the profile at P = `p`. The angle ξ satisfies (P − pivot)·n =
-/// f, with the face offset f, the normal n = (σ sin ξ, cos ξ), and σ = ±1 for a pivot at ±x. Along the face, the contact is at −σ c cos
-/// ξ·v/(1 + v) from the foot of the perpendicular from the cam centre. Here c is the distance from the cam centre to the pivot, and v = σ
-/// dξ/dθ.
+/// Lift ξ − ξ₀, rad, and slope dξ/dθ of an arm with a flat face that touches the profile at P = `p`. The arm is at the angle ξ, and at ξ₀
+/// on the base circle. The angle ξ satisfies (P − pivot)·n = f, with the face offset f, the normal n = (σ sin ξ, cos ξ), and σ = ±1 for a
+/// pivot at ±x. Along the face, the contact is at −σ c cos ξ·v/(1 + v) from the foot of the perpendicular from the cam centre. Here c is
+/// the distance from the cam centre to the pivot, and v = σ dξ/dθ.
 fn swung_face(follower: &Follower, p: [f64; 2], pivot: f64, offset: f64) -> Option<(f64, f64)> {
     let (c, side) = (pivot.abs(), pivot.signum());
     let away = [side * p[0] - c, p[1]];

@@ -1,6 +1,7 @@
 //! Hertz contact of cam and follower: pressure, half-width, and depth of the maximum shear stress.
 //!
-//! Curvatures are 1/radius, positive for convex bodies. The contact modulus is E* = 1/((1 − ν₁²)/E₁ + (1 − ν₂²)/E₂).
+//! Curvatures are 1/radius, positive for convex bodies. The contact modulus is E* = 1/((1 − ν₁²)/E₁ + (1 − ν₂²)/E₂), with Young's moduli
+//! E₁, E₂ and Poisson's ratios ν₁, ν₂.
 
 pub use crate::cam::{Material, STEEL};
 use crate::drive::Drive;
@@ -37,7 +38,8 @@ pub fn modulus(a: Material, b: Material) -> f64 {
     1.0 / (a.compliance() + b.compliance())
 }
 
-/// Line contact with p₀ = √(F E*/(π L R)), where 1/R is the sum of the curvatures of both bodies, `curvature` in 1/m.
+/// Line contact with p₀ = √(F E*/(π L R)) for the force F and the length L. The curvature 1/R is the sum of the curvatures of both bodies,
+/// `curvature` in 1/m.
 ///
 /// `force` is in N, `length` in m. The pressure is 0 if force or curvature is 0 or negative. A flat face on a concave flank, for example,
 /// is not a Hertz contact.
@@ -58,7 +60,8 @@ pub fn line(force: f64, length: f64, curvature: f64, modulus: f64) -> LineContac
 /// Limits the line pressure below a translating flat face to `pressure`, Pa. The limit w·(s, v, a, j) ≤ bound is returned as (w, bound). It
 /// is exact and linear in the law.
 ///
-/// The limit is F ≤ π L p²/E*·(Rb + s + a). It is linear because force and radius of curvature are linear in the law (theory §6).
+/// The limit is F ≤ π L p²/E*·(Rb + s + a), with the contact length L, the pressure p, the contact modulus E* and the base radius Rb. It is
+/// linear because force and radius of curvature are linear in the law (theory §6).
 pub fn flat_face_limit(
     drive: &Drive,
     base_radius: f64,

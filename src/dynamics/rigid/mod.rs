@@ -12,13 +12,14 @@ use crate::drive::Drive;
 use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly};
 
-/// Maximum number of iterations; fewer than ten are needed.
+/// Maximum number of iterations for the lift-off speed. Fewer than ten are needed.
 const ROUNDS: usize = 60;
 /// Force at rest, relative to the maximum force, below which a negative force counts as zero. Where the lift should be zero, it deviates by
 /// the tolerance of the spline or of the solver.
 const NO_PULL_AT_REST: f64 = 1e-6;
 
-/// Height above the cam centre at which friction acts at s = 0: the base radius for a flat face. Bearing friction of a roller is neglected.
+/// Height above the cam centre, m, at which friction acts at s = 0: the base radius for a translating flat face, otherwise 0. Bearing
+/// friction of a roller is neglected.
 pub(crate) fn reach(follower: &Follower) -> f64 {
     if let Follower::FlatTranslating { base_radius } = follower {
         *base_radius
@@ -27,8 +28,8 @@ pub(crate) fn reach(follower: &Follower) -> f64 {
     }
 }
 
-/// Torque over the whole law, N·m, as a piecewise polynomial. Friction is included if the force is positive over the whole turn. `None` if the force
-/// changes sign, because the torque is then not a polynomial.
+/// Torque over the whole law, N·m, as a piecewise polynomial. With friction, the result is `None` if the force becomes negative, because
+/// the torque is then not a polynomial.
 pub fn torque_curve(law: &Law, drive: &Drive, friction: f64, reach: f64) -> Option<PiecewisePoly> {
     let force = drive.force_curve(law);
     let rub = friction * drive.speed.signum();
@@ -54,7 +55,7 @@ pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
     if drive.mass <= 0.0 && drive.damping <= 0.0 {
         return None;
     }
-    // A speed at which inertia or damping certainly exceeds the springs at some angle, if it ever does.
+    // Initial speed at which inertia or damping certainly exceeds the spring force at some angle, if such a speed exists.
     let highest = most.value;
     let least_a = extremes([0.0, 0.0, 1.0], 0.0).0;
     let mut speed = if drive.mass > 0.0 && least_a.value < 0.0 {
@@ -95,10 +96,10 @@ pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
     Some(speed)
 }
 
-/// Whether damping causes lift-off at any speed, if the force at the lowest point is zero. Near this point s = α φⁿ, with the angle φ
-/// measured from this point. Consider the force k s + c ω s′ + m ω² s″ at angles before this point. If c² is above 4 k m (n − 1)/n, the
-/// force is negative at some of these angles for any speed. If c² is below this value, the force is not negative for any speed. The order n
-/// is 2, or 3 at the end of a dwell.
+/// Whether damping causes lift-off at any speed, if the minimum force at rest is zero. Near the angle of this minimum, the lift is s = α
+/// φⁿ, with a constant α and the angle φ measured from the minimum. Consider the force k s + c ω s′ + m ω² s″ at angles before the minimum.
+/// If c² is above 4 k m (n − 1)/n, the force is negative at some of these angles for any speed. If c² is below this value, the force is not
+/// negative for any speed. The order n is 2, or 3 at the end of a dwell.
 fn lifts_at_rest(law: &Law, drive: &Drive, rest: Extreme, most: Extreme) -> bool {
     let touches = rest.value <= NO_PULL_AT_REST * most.value.abs();
     let order = if law.svaj(rest.at).a > NO_PULL_AT_REST * law.stroke() {
@@ -141,7 +142,8 @@ fn smallest_positive_root(p: f64, q: f64, r: f64) -> Option<f64> {
         .min_by(f64::total_cmp)
 }
 
-/// Minimum preload, N, for which a spring of rate k keeps a contact force of at least `margin` N over the whole turn.
+/// Minimum preload, N, for which the contact force is at least `margin`, N, over the whole turn. Spring rate, mass, damping and speed are
+/// taken from `drive`.
 pub fn least_preload(law: &Law, drive: &Drive, margin: f64) -> f64 {
     let free = Drive {
         rest_force: 0.0,

@@ -8,7 +8,7 @@ use crate::law::{Extent, Rise, Segment, program};
 use crate::units::G;
 
 fn spring_loaded(speed: f64) -> Drive {
-    // theory §10: k = 5000 N/m, preload kδ with δ = 0.01 m, m = 1 kg; lift measured from the lowest point.
+    // Theory §10: k = 5000 N/m, preload kδ with δ = 0.01 m, m = 1 kg. The lift is measured from the lowest point.
     Drive {
         kind: DriveKind::FixedAxis,
         rest_force: 5000.0 * 0.01,
@@ -40,7 +40,7 @@ fn thesis_cams_lift_off_at_31_320920_and_23_490690() {
 
 #[test]
 fn spring_loaded_eccentric_jumps_at_122_474() {
-    // ω = √(k(2e + δ)/(m e)), theory §10: at the top the spring is compressed 2e + δ.
+    // Theory §10: ω = √(k(2e + δ)/(m e)), because the spring is compressed by 2e + δ at the top.
     let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
     for speed in [50.0, -50.0] {
         let jump = liftoff_speed(&law, &spring_loaded(speed)).unwrap();
@@ -115,7 +115,7 @@ fn damping_alone_lifts_off_where_the_follower_moves_fastest_against_it() {
 
 #[test]
 fn a_steep_rise_under_much_damping_jumps_where_its_force_first_vanishes() {
-    // Damping presses on the rise, where inertia pulls most, and the fall is slow.
+    // Damping increases the force on the rise, where inertia reduces it most. The fall is slow.
     let segment = |lift: f64, degrees: f64| Segment {
         motion: Rise::Poly345,
         lift,
@@ -134,7 +134,7 @@ fn a_steep_rise_under_much_damping_jumps_where_its_force_first_vanishes() {
 
 #[test]
 fn a_jump_of_the_acceleration_pulls_from_its_own_side() {
-    // A gentle rise ends where the harmonic fall begins with −h π²/(2 β²), and the other way round.
+    // A cycloidal rise ends where the harmonic fall begins with −h π²/(2 β²). The second case has the opposite order.
     let segment = |motion: Rise, lift: f64, degrees: f64| Segment {
         motion,
         lift,
@@ -151,7 +151,7 @@ fn a_jump_of_the_acceleration_pulls_from_its_own_side() {
         ];
         let law = program(&segments, Extent::TURN).unwrap();
         let jump = liftoff_speed(&law, &spring_loaded(10.0)).unwrap();
-        // At the top the spring presses with 50 N + 5000 N/m · 10 mm.
+        // At the top, the spring force is 50 N + 5000 N/m · 10 mm.
         let pull = 0.5 * 0.01 * 4.0;
         assert!((jump - (100.0_f64 / pull).sqrt()).abs() < 1e-9, "{jump}");
     }
@@ -159,7 +159,7 @@ fn a_jump_of_the_acceleration_pulls_from_its_own_side() {
 
 #[test]
 fn a_pull_at_rest_counts_from_a_millionth_of_the_largest_force() {
-    // Lift 0 to 20 mm against 5000 N/m: at most 100 N.
+    // A lift of 0 to 20 mm against 5000 N/m gives at most 100 N.
     let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
     let at_rest = |rest_force: f64| {
         let drive = Drive {
@@ -217,7 +217,7 @@ fn torque_with_friction_is_the_contacts_own_at_every_angle_and_in_both_turns() {
             let rub = 0.1 * speed.signum() * (reach(&cam.follower) + at.s);
             let known = drive.force(at) * (at.v + rub);
             assert!((curve.eval(theta) - known).abs() < 1e-12, "{theta}");
-            // The contact is of a cam that turns forwards.
+            // `touch_at` evaluates a cam that turns forwards.
             let own = touch_at(&cam, &drive, 0.1, theta).torque;
             assert!(speed < 0.0 || (own - known).abs() < 1e-12, "{theta}: {own}");
         }
@@ -241,7 +241,7 @@ fn torque_with_friction_is_no_polynomial_where_the_force_changes_sign() {
 
 #[test]
 fn thesis_eccentric_slides_at_0_465_metres_per_second() {
-    // theory §3: 0.465 m/s at 90°; entraining ω(d + 2a)/2 = ω(0.04 − 0.02)/2.
+    // Theory §3: the sliding speed at 90° is 0.465 m/s. The entraining speed is ω(d + 2a)/2 = ω(0.04 − 0.02)/2.
     let at = touch_at(
         &thesis::eccentric(),
         &thesis::real(11.624),
@@ -254,7 +254,7 @@ fn thesis_eccentric_slides_at_0_465_metres_per_second() {
 
 #[test]
 fn a_flat_face_is_tipped_by_its_force_on_the_arm_of_the_contact() {
-    // The contact of an eccentric disc lies e cos θ beside the guide.
+    // The contact point of an eccentric disc is at the distance e cos θ from the line of the guide.
     let (cam, drive) = (thesis::eccentric(), thesis::real(20.0));
     let at = touch_at(&cam, &drive, 0.0, 0.7);
     let force = drive.force(cam.law.svaj(0.7));

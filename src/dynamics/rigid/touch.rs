@@ -16,7 +16,7 @@ use crate::law::Svaj;
 /// use gaitcam::dynamics::touch;
 /// use gaitcam::law::Svaj;
 ///
-/// // At rest on the base circle a face rubs at ω·Rb, and the force stands normal to it.
+/// // On the base circle, the face slides at the speed ω·Rb, and the normal force equals the force on the follower.
 /// let at = Svaj { s: 0.0, v: 0.0, a: 0.0, j: 0.0 };
 /// let found = touch(&Follower::FlatTranslating { base_radius: 0.03 }, 10.0, 0.0, at, 100.0);
 /// assert!((found.normal - 100.0).abs() < 1e-12 && (found.sliding.abs() - 0.3).abs() < 1e-12);
@@ -31,7 +31,8 @@ pub struct Touch {
     pub entraining: f64,
     /// Lateral force on the guides, or force along an arm towards its pivot, N.
     pub side_thrust: f64,
-    /// Tilting moment on a flat face about the point at which the guide's line passes the cam centre, N·m.
+    /// Moment that tilts a translating flat face, N·m: the force multiplied by the distance of the contact from the line of the guide. It
+    /// is 0 for other followers.
     pub tipping: f64,
     /// Torque of the shaft in the direction of increasing θ, N·m; for a translating cam the force along its travel, N.
     pub torque: f64,
@@ -62,7 +63,7 @@ pub struct FollowerContact {
     /// Angle of the arm at s = 0, rad.
     start: Option<f64>,
     is_flat: bool,
-    /// Whether the surfaces slide on each other.
+    /// Whether the surfaces slide on each other; false for a roller.
     rubs: bool,
 }
 
@@ -76,7 +77,7 @@ struct Forces {
     torque: f64,
 }
 
-/// Force formulas of a kind of follower.
+/// Contact forces for one kind of follower.
 trait Pressed: Kind {
     /// Contact and forces at one point of the motion, with friction between the surfaces. The normal force is infinite if friction locks the
     /// follower.
@@ -97,7 +98,7 @@ impl<K: Kind> Pressed for K {
         let drag = friction * 1.0_f64.copysign(rubbing);
         // Under a negative force of the rigid model, friction also opposes the sliding.
         let pressed = dot(n, g) + drag * 1.0_f64.copysign(force) * dot(tangent, g);
-        // Where friction locks the follower, the force is divided by zero.
+        // Where friction locks the follower, the divisor is zero, and the normal force is infinite.
         let pressed = if pressed > 0.0 { pressed } else { 0.0 };
         let normal = if force == 0.0 { 0.0 } else { force / pressed };
         let rub = if drag == 0.0 {
@@ -109,7 +110,7 @@ impl<K: Kind> Pressed for K {
             normal * n[0] + rub * tangent[0],
             normal * n[1] + rub * tangent[1],
         ];
-        // Cam and follower have the same velocity along the normal: only friction adds to F·v.
+        // Cam and follower have the same velocity along the normal, so only friction adds to F·v.
         let torque = force * at.v + rub * rubbing;
         let forces = Forces {
             normal,
@@ -128,7 +129,7 @@ impl<K: Kind> Pressed for K {
 }
 
 impl FollowerContact {
-    /// Contact formulas of a follower.
+    /// Prepares the contact formulas of a follower.
     pub fn of(follower: &Follower) -> FollowerContact {
         let pivot = follower.pivot();
         FollowerContact {
@@ -204,7 +205,7 @@ impl FollowerContact {
     /// Signed speed of the contact along the profile per unit of θ, m/rad, and sum of the curvatures of cam and follower, 1/m.
     fn walk(&self, contact: &Contact, at: Svaj) -> (f64, f64) {
         if self.is_flat {
-            // The face rotates with the arm, opposite to the cam.
+            // The face turns with the arm. For a pivot on +x, it turns in the direction opposite to the cam.
             let turning = 1.0 + self.pivot.map_or(0.0, |_| self.side * at.v);
             return (contact.rho * turning, 1.0 / contact.rho);
         }
@@ -213,13 +214,13 @@ impl FollowerContact {
         let length = libm::hypot(at.v * own[0] - cam[0], at.v * own[1] - cam[1]);
         let radius = self.geometry.radius();
         let inner = 1.0 - radius * self.geometry.pitch_curvature(at);
-        // 1/(1/κ − R) + 1/R = 1/(R·(1 − κR)).
+        // With the curvature κ of the pitch curve and the roller radius R: 1/(1/κ − R) + 1/R = 1/(R·(1 − κR)).
         (length * inner, 1.0 / (radius * inner))
     }
 }
 
-/// Contact at one point of the motion of `follower`, for `force` on the follower (N; for an arm the moment about its pivot, N·m), at the cam speed
-/// `speed`, rad/s. Speed and friction are negative for backward rotation.
+/// Contact at one point of the motion of `follower`. `force` acts on the follower, N; for an arm, it is the moment about the pivot, N·m.
+/// `speed` is the cam speed, rad/s. Speed and friction are negative for backward rotation.
 pub fn touch(follower: &Follower, speed: f64, friction: f64, at: Svaj, force: f64) -> Touch {
     FollowerContact::of(follower).at(speed, friction, at, force)
 }

@@ -12,7 +12,7 @@ use serde::Serialize;
 /// use gaitcam::dynamics::{Model, Run, simulate};
 /// use gaitcam::law::Law;
 ///
-/// // A target that is the force of the steady cam a tenth of a turn later: the phase is set right.
+/// // The target is the force of the cam at constant speed, shifted by 0.6 rad. The optimal phase removes this shift.
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let mut run = Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720);
 /// let force = |i: i32| 98.1 - 0.9 * (f64::from(i).to_radians() - 0.6).sin();

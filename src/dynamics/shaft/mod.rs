@@ -21,12 +21,12 @@ use crate::units::{Dimension, Quantity};
 pub use steady::forecast;
 use steady::{Stall, Steady};
 
-/// Ratio of a suggested no-load speed or inertia to the minimum one.
+/// Ratio of a suggested no-load speed or inertia to its minimum.
 const MARGIN: f64 = 1.02;
-/// Work, relative to J Ω² (inertia and mean speed), below which it is a rounding error.
+/// Work, relative to J Ω² (inertia J and mean speed Ω), below which it counts as a rounding error.
 const ROUNDING: f64 = 1e-9;
 
-/// Steady motion of the shaft.
+/// Steady motion of the motor-driven shaft: speeds, torques and required inertia.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -34,7 +34,7 @@ const ROUNDING: f64 = 1e-9;
 /// use gaitcam::dynamics::{Model, Run, simulate};
 /// use gaitcam::law::Law;
 ///
-/// // An eccentric of e = 10 mm lifts 10 kg: the energy M g e sin θ swings by 2 M g e, and so does ω²J/2.
+/// // An eccentric of e = 10 mm lifts M = 10 kg. The range of the potential energy M g e sin θ is 2 M g e, and so is the range of ω²J/2.
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let mut run = Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720);
 /// run.machine.motor = Some(Motor { line: TorqueLine::Slope(0.01), nominal: None, inertia: 100.0, friction: 0.0, gear: 1.0, efficiency: 1.0 });
@@ -67,7 +67,7 @@ pub struct Shaft {
     pub motor_torque_max_n_m: f64,
     /// Mean power of the motor, W.
     pub motor_power_mean_w: f64,
-    /// Angle between the minimum lift, at which the shaft starts from rest, and the point at which it stops, rad; `None` if it does not stop.
+    /// Angle that the shaft turns from rest at the minimum lift until it stops, rad; `None` if it does not stop.
     pub stops_at_rad: Option<f64>,
     /// Minimum inertia, kg·m², with an accuracy of 1 %, for which the shaft does not stop at the mean speed; 0 if any inertia is sufficient.
     pub least_inertia_kg_m2: f64,

@@ -1,4 +1,4 @@
-//! Periodic motion of a motor-driven shaft over one turn. The unknowns are the energies at all stages and the no-load speed; Newton's
+//! Periodic motion of a motor-driven shaft over one turn. The unknowns are the energies at all stages and the no-load speed. Newton's
 //! method computes them. After linearisation about the previous energies, the energy at the end of each step is α + β E₀ + γ δω₀. Here E₀
 //! is the energy at the start of the turn and δω₀ the change of the no-load speed. Two conditions determine E₀ and δω₀: the motion is
 //! periodic, and the turn takes the period of the mean speed. Each iteration evaluates the load once per stage (theory §10).
@@ -16,11 +16,11 @@ const SAME: f64 = 1e-6;
 const LEAST_PART: f64 = 0.3;
 /// Number of steps of a turn for initial guesses and for minimum inertias.
 const COARSE: usize = 48;
-/// First factor between consecutive inertias of the continuation.
+/// Initial factor between consecutive inertias of the continuation.
 const FACTOR: f64 = 100.0;
 const LEAST_FACTOR: f64 = 1.01;
 const RANGE: f64 = 1e4;
-/// Exponent of the decay of a disturbance over a step above which the step does not resolve this decay.
+/// Exponent of the decay of a disturbance over one step. A step with a larger exponent does not resolve the decay.
 const UNRESOLVED: f64 = 5.0;
 /// Minimum energy, relative to the energy at the mean speed. It corresponds to a hundredth of the mean speed. At lower energies, motor and
 /// load are in an unstable equilibrium.
@@ -33,7 +33,7 @@ const EVEN: f64 = 0.1;
 pub struct Steady {
     /// Energy ω²/2 at the stages of the steps, rad²/s².
     stages: Vec<[f64; STAGES]>,
-    /// No-load speed of the motor, rad/s.
+    /// No-load speed of the motor, referred to the camshaft, rad/s.
     pub no_load: f64,
     /// Energy ω²/2 at the start of every step, and at the end of the turn, rad²/s².
     pub energy: Vec<f64>,
@@ -52,7 +52,7 @@ pub struct Steady {
 /// Reasons why a shaft stops.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stall {
-    /// The inertia is below the minimum one, which is this value, kg·m².
+    /// The inertia is below the minimum inertia. The field is this minimum, kg·m².
     Below(f64),
     /// The shaft stops for any inertia.
     Anyway,

@@ -1,7 +1,8 @@
 //! Load over one turn of a shaft with varying speed, for Newton's method ([`super::steady`]) and for a start from rest.
 //!
-//! The energy E = ω²/2 obeys (J + τ m v) E′ = T_motor(ω) − T_friction − τ (F₀ + k s + c ω v + 2 m a E). Here τ is the shaft torque per unit
-//! of contact force (v without friction). The numerical method is collocation of sixth order in E = ω²/2 over the cam angle (theory §10).
+//! The energy E = ω²/2 obeys (J + τ m v) E′ = T_motor(ω) − T_friction − τ (F₀ + k s + c ω v + 2 m a E). Here J is the inertia, and τ is the
+//! shaft torque per unit of contact force (v without friction). The numerical method is collocation of sixth order in E over the cam angle
+//! (theory §10).
 
 use std::f64::consts::TAU;
 
@@ -13,7 +14,8 @@ const SMALL_STEPS: usize = 2048;
 /// Maximum number of Newton iterations per step of a start from rest; three are usual.
 const ROUNDS: usize = 60;
 const SAME: f64 = 1e-9;
-/// Distance from the end of a step, as a fraction of the step, at which a quantity that may jump there is evaluated.
+/// Distance from the end of a step, as a fraction of the step. Quantities that may jump at this end are evaluated at this distance inside
+/// the step.
 const INSIDE: f64 = 1e-12;
 /// Number of stages of a step.
 pub const STAGES: usize = 3;
@@ -124,7 +126,7 @@ impl Step {
             let at = stage + 1;
             let apart = |i: usize, k: usize| ALL_PLACES[i] - ALL_PLACES[k];
             let others = |i: usize| (0..5).filter(move |k| *k != i && *k != at);
-            // Lagrange polynomials, each minus that of the stage: constants have no slope.
+            // Lagrange polynomials through the differences from the value at the stage, because a constant has no slope.
             let term = |i: usize| {
                 let by_others: f64 = others(i).map(|k| apart(at, k) / apart(i, k)).product();
                 by_others * (values[i] - values[at]) / apart(i, at)
@@ -170,7 +172,8 @@ impl Load {
         Load { steps }
     }
 
-    /// Mean torque over the turn at a constant speed, N·m, and the work of the deviation from this mean up to the end of each step, J.
+    /// Mean torque over the turn at a constant speed, N·m. The second value is the work of the deviation from this mean up to the end of
+    /// each step, J.
     pub fn at_constant_speed(&self, speed: f64) -> (f64, Vec<f64>) {
         let energy = 0.5 * speed * speed;
         let (mut work, mut angle) = (0.0, 0.0);
@@ -212,8 +215,8 @@ impl Load {
         }
     }
 
-    /// Angle at which the shaft stops, rad, if it does not complete the first turn from rest at `angle`. The method is of second order and L-stable,
-    /// suitable for small inertia and a stiff motor (Alexander 1977).
+    /// Angle at which the shaft stops, rad, in the first turn after a start from rest at `angle`. `None` if the shaft completes the turn.
+    /// The method is of second order and L-stable, suitable for small inertia and a stiff motor (Alexander 1977).
     pub fn stop_from_rest(&self, motor: &Motor, no_load: f64, angle: f64) -> Option<f64> {
         let h = TAU / SMALL_STEPS as f64;
         let part = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
@@ -302,7 +305,8 @@ fn implicit(node: &Node, motor: &Motor, no_load: f64, base: f64, width: f64) -> 
     Some(energy)
 }
 
-/// Matrix (I − h A D)⁻¹, where D contains the derivatives of E′ with respect to the energy.
+/// Matrix (I − h A D)⁻¹ with the unit matrix I, the step width h and the stage coefficients A (`INNER`). D contains the derivatives of E′
+/// with respect to the energy.
 pub struct Inverse([[f64; STAGES]; STAGES]);
 
 impl Inverse {
@@ -333,7 +337,7 @@ mod tests {
     use super::*;
     use crate::drive::TorqueLine;
 
-    /// A constant torque T acts against a spring: J ω²/2 = T x − k s²/2 from the minimum lift on.
+    /// A constant torque T acts against a spring: J ω²/2 = T x − k s²/2, with the angle x measured from the minimum lift.
     #[test]
     fn a_start_from_rest_stops_where_the_work_of_the_motor_is_used_up() {
         let (torque, rate, height) = (6.0, 2e5, 0.02);

@@ -78,7 +78,7 @@ fn compared(
 
 fn asks_for_contact(p: &Prepared, rigid: &Outcome, mean: f64) -> Option<ModelReason> {
     let scale = mean.abs();
-    // Without mass, a small force does not indicate lift-off: only a negative force requires the contact model.
+    // Without mass, a small force does not indicate lift-off. Only a negative force requires the contact model.
     let asked = if p.drive.mass > 0.0 {
         rigid.force.min < MARGIN * scale
     } else {
@@ -144,7 +144,7 @@ fn liftoff_margin(p: &Prepared, rigid: &Outcome) -> LiftoffMargin {
 /// the damping ratio ζ.
 fn vibration(train: &Train, p: &Prepared, forces: &[f64], mean: f64) -> (f64, Vibration) {
     let Some(natural) = train.natural_frequency(&p.drive) else {
-        // Without mass there is no vibration, but the train deflects: the flexible model is always used.
+        // Without mass there is no vibration, but the train deflects. The flexible model is therefore always used.
         return (f64::INFINITY, Vibration::NoMass);
     };
     let zeta = train.damping / (2.0 * p.drive.mass * natural);
@@ -155,7 +155,7 @@ fn vibration(train: &Train, p: &Prepared, forces: &[f64], mean: f64) -> (f64, Vi
         let extra = r * r / libm::hypot(1.0 - r * r, 2.0 * zeta * r);
         sum += 0.5 * (libm::hypot(a, b) * extra).powi(2);
     }
-    // An undamped resonance gives an infinite sum; the flexible model reports it.
+    // An undamped resonance gives an infinite sum. The flexible model reports it.
     let part = sum.sqrt() / mean.abs();
     let known = Vibration::Harmonics {
         frequency: Quantity::new(natural / std::f64::consts::TAU, Dimension::Frequency),

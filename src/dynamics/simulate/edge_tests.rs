@@ -45,7 +45,7 @@ fn leaning_force(theta: f64, speed: f64, stiffness: f64, damping: f64) -> f64 {
         let (c, d) = (stiffness - inertia, damping * nw);
         let square = c * c + d * d;
         let (re, im) = ((a * c + b * d) / square, (b * c - a * d) / square);
-        // Y = cos − i sin.
+        // Complex amplitude Y = cos − i sin.
         let (y_re, y_im) = (cos * re + sin * im, cos * im - sin * re);
         let phase = (k + 1) as f64 * theta;
         force -= inertia * (y_re * phase.cos() - y_im * phase.sin());
@@ -70,7 +70,7 @@ fn a_flexible_run_is_the_closed_form_forwards_backwards_and_without_damping() {
             }
         }
     }
-    // Backwards is another motion: with damping it leans the other way.
+    // Reversed rotation gives another force curve, because damping shifts its phase in the opposite direction.
     let train = Train::from_frequency(&thesis::real(thesis::SPEED), 9.0, 0.05).unwrap();
     let [there, back] = [1.0, -1.0].map(|sign| {
         let out = simulate(
@@ -101,7 +101,7 @@ fn resonance_is_named_by_every_way_to_it_and_a_hair_beside_it_is_a_large_number(
     for beside in [1e-3, -1e-3, 1e-6, -1e-6] {
         let train = natural(3.0 * (1.0 + beside));
         let out = simulate(&run(&cam, thesis::SPEED, Some(train)), Model::Flexible).unwrap();
-        // The third harmonic alone grows: M 9ω² 0.6 mm/(1 − 1/(1 + b)²) ≈ that/(2 b).
+        // Only the third harmonic grows: M 9ω² 0.6 mm/|1 − 1/(1 + b)²| ≈ M 9ω² 0.6 mm/(2 |b|), with the relative distance b from resonance.
         let own = thesis::MASS * (3.0 * thesis::SPEED).powi(2) * 0.0006 / (2.0 * f64::abs(beside));
         let half = 0.5 * (out.force.max - out.force.min);
         assert!((half / own - 1.0).abs() < 0.05, "{beside} {half} {own}");
@@ -154,8 +154,8 @@ fn noise_in_a_dwell_rings_no_more_than_its_own_acceleration() {
         assert!(!out.contact_lost && out.force.min > 5.0, "{model:?}");
     }
     let rough = simulate(&noisy, Model::Flexible).unwrap();
-    // Rigidly ω²M·1 µm/step is 0.03 N, three times that in the spline's curvature; the train, at 40 Hz far
-    // below the points' 2600 a second, lets less of it through.
+    // In the rigid model, ω²M·1 µm/step is 0.03 N, and the curvature of the spline triples it. The natural frequency of the train, 40 Hz,
+    // is far below the 2600 points per second, so the train transmits less.
     assert!(apart(&rough) < 0.05, "{}", apart(&rough));
 }
 
@@ -194,14 +194,15 @@ fn a_machine_without_force_is_said_to_have_none() {
         "{:?}",
         out.why
     );
-    // Inertia alone pulls as much as it pushes.
+    // A pure inertia force has equal positive and negative parts.
     none.drive.mass = 1.0;
     let out = simulate(&none, Model::Auto).unwrap();
     let why = out.why.sentence(Language::En);
     assert!(out.contact_lost && !why.contains('–'), "{why}");
 }
 
-/// Fluid on a cam with a dwell. In the dwell, the lift of the emitted points is zero within the error of their spline; this is not a lift-off.
+/// Fluid on a cam with a dwell. In the dwell, the lift of the emitted points is zero within the error of their spline. This error must not
+/// count as a lift-off.
 #[test]
 fn a_dwell_known_to_rounding_is_no_pull() {
     let segment = |motion: &str, lift: f64| Segment {
@@ -267,7 +268,7 @@ fn a_jump_of_acceleration_brings_no_false_lift_off() {
             "{preload} N: {got} {exact}"
         );
         assert!(!out.contact_lost);
-        // F = F₀ + k s + m ω² a, at its least where the fall has ended.
+        // F = F₀ + k s + m ω² a is minimum at the end of the fall.
         assert!((out.force.min - preload).abs() < 1e-6, "{}", out.force.min);
     }
 }

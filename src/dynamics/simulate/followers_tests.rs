@@ -49,7 +49,7 @@ fn every_follower_runs_rigid_and_in_contact_alike_below_lift_off() {
             );
             assert!((a.torque - force * at.v).abs() < 1e-6, "{what} row {i}");
         }
-        // Without friction the turn costs nothing.
+        // Without friction, the mean torque over the turn is zero.
         let range = rigid.torque.max - rigid.torque.min;
         assert!(rigid.torque.mean.abs() < 1e-10 * range, "{what}");
     }
@@ -62,7 +62,7 @@ fn every_follower_lifts_off_where_its_own_force_ends() {
             law: law(stroke),
             follower,
         };
-        // s = h/2 (1 − cos θ): the force F₀ + k h + (k − mω²)(−h/2 …) is least at the top or nowhere.
+        // For s = h/2 (1 − cos θ), lift-off occurs at the top.
         let input = run(cam, 5.0);
         let d = input.drive;
         let half = 0.5 * stroke;
@@ -132,7 +132,7 @@ fn a_pair_never_lifts_off_and_says_which_cam_bears() {
     assert!(out.notes.iter().any(bears), "{:?}", out.notes);
     for (i, row) in out.rows.iter().enumerate() {
         assert!(row.normal_force >= 0.0, "{i}");
-        // Both sides work on the same freedom: N·n·G is the force, whichever bears.
+        // Both cams act on the same coordinate s: (N n)·G is the force for either cam.
         if row.contact_force < 0.0 {
             let p = pair.second.point(row.theta);
             let expected = -row.contact_force / p.pressure_angle.cos();
@@ -153,7 +153,7 @@ fn slides_and_grooves_run_rigid_and_say_why_not_in_contact() {
         let out = simulate(&input, Model::Auto).unwrap();
         assert_eq!(out.model, Model::Rigid);
         let (start, length) = input.cam.law.extent();
-        // Where the programme's jerk steps, the spline of the points is off by a part of a step.
+        // Where the jerk of the programme jumps, the spline through the points deviates by a fraction of a step.
         let slack = 3e-3 * out.force.max.abs().max(out.force.min.abs());
         for row in &out.rows {
             assert!(row.theta >= start - 1e-12 && row.theta <= start + length + 1e-12);
@@ -165,7 +165,7 @@ fn slides_and_grooves_run_rigid_and_say_why_not_in_contact() {
     }
 }
 
-/// Maximum normal force and lateral force over the exact law, for one cam or for the more loaded one of two.
+/// Maximum normal force and maximum lateral force over the exact law, for one cam or for the more loaded cam of a pair.
 fn true_loads(input: &Run) -> [f64; 2] {
     const POINTS: usize = 100_000;
     let follower = |cam: &Cam, at, force| {
@@ -195,7 +195,7 @@ fn the_largest_loads_are_those_between_the_rows_whatever_the_follower() {
     let mut inputs: Vec<Run> = everything()
         .into_iter()
         .map(|(follower, stroke)| {
-            // Peaks of the force beside every row.
+            // The maxima of the force are not at rows.
             let half = 0.5 * stroke;
             let law = Law::harmonic(half, &[(-0.8 * half, 0.31 * half), (0.1 * half, 0.0)]);
             let mut input = run(Cam { law, follower }, 5.0);

@@ -25,7 +25,7 @@ pub(super) struct Prepared {
     pub lift: Law,
     /// Angles at which derivatives of the lift may jump.
     pub breaks: Vec<f64>,
-    /// Motion at the angles of the rows.
+    /// Lift and its derivatives at the angles of the rows.
     pub nodes: Vec<Svaj>,
     /// Lift of the conjugate cam.
     pub second: Option<Law>,
@@ -41,7 +41,7 @@ pub(super) struct Prepared {
     /// Motion of the shaft if its speed varies.
     pub shaft: Option<Motion>,
     pub shaft_report: Option<Shaft>,
-    /// Motion of shaft and floor, if the floor moves.
+    /// Motion of shaft and floor; `None` for constant speed on a rigid floor without force correction.
     pub machine: Option<MachineMotion>,
     /// Whether the follower is constrained from both sides.
     pub held: bool,
@@ -298,7 +298,7 @@ impl Prepared {
 fn phase_value(values: &[f64], part: f64) -> f64 {
     let n = values.len();
     let x = part.rem_euclid(1.0) * n as f64;
-    // A position that equals that of a sample up to rounding errors is the position of this sample.
+    // A position that differs from a sample only by rounding errors counts as this sample.
     let nearest = x.round();
     if (x - nearest).abs() < 1e-6 {
         return values[nearest as usize % n];

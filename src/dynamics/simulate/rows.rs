@@ -102,7 +102,7 @@ impl Prepared {
         }
     }
 
-    /// Contact that carries the force. In a conjugate pair, a negative force loads the second cam.
+    /// Contact that transmits the force. In a conjugate pair, a negative force loads the second cam.
     pub fn touch(&self, input: &Run, speed: f64, angle: f64, at: Svaj, force: f64) -> Touch {
         let friction = input.machine.friction;
         match (&input.machine.conjugate, &self.second) {

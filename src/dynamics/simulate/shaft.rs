@@ -1,4 +1,5 @@
-//! Motion of shaft and floor in a run. The motor is included if it changes the force. The floor moves under the force.
+//! Motion of shaft and floor in a run. With automatic model selection, the motor is included only if it changes the force. The floor moves
+//! under the force.
 
 use super::choose::RIGID_ENOUGH;
 use super::prepared::Prepared;

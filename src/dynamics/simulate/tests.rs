@@ -73,7 +73,7 @@ fn the_force_is_independent_of_the_number_of_points_beyond_second_order() {
             .map(|r| (r.contact_force - run.drive.force(cam.law.svaj(r.theta))).abs())
             .fold(0.0, f64::max)
     };
-    // Second-order interpolation of a would err by (step²/8)·max|s''''|·Mω²; s'''' = h/2·(π/β)⁴·5.
+    // The error of a second-order interpolation of a would be (step²/8)·max|s''''|·Mω². Here s'''' is h/2·(π/β)⁴·5.
     let second_order = |n: usize| {
         let step = TAU / n as f64;
         step * step / 8.0 * 0.005 * (4.0_f64 / 3.0).powi(4) * 5.0 * 23.0 * 23.0
@@ -106,7 +106,7 @@ fn reversed_rotation_mirrors_the_torque_and_keeps_the_force() {
         );
         assert!((a.torque - b.torque).abs() < 1e-10 && (a.power + b.power).abs() < 1e-8);
     }
-    // Flights run the other way about the symmetry of the double harmonic: lost just as long.
+    // The double harmonic is symmetric, so reversed rotation gives the same fraction without contact.
     let (a, b) = (
         simulate(&scene(&cam, 27.0), Model::Contact).unwrap(),
         simulate(&scene(&cam, -27.0), Model::Contact).unwrap(),
@@ -122,7 +122,7 @@ fn reversed_rotation_mirrors_the_torque_and_keeps_the_force() {
 
 #[test]
 fn the_shaft_pays_for_what_the_impacts_lose() {
-    // Mean torque × turn = ½ m (u² − e²u²) summed over the impacts of a repetition.
+    // The mean torque, multiplied by the angle of one period, equals ½ m (u² − e²u²), summed over its impacts with the approach speeds u.
     for (cam, speed, e) in [
         (thesis::eccentric(), 35.0, 0.0),
         (thesis::double_harmonic(), 27.0, 0.5),
@@ -322,7 +322,7 @@ fn a_slow_or_standing_shaft_gives_the_static_force_in_every_model() {
 
 #[test]
 fn an_emitted_roller_cam_presses_as_its_law_says_and_lifts_off_with_it() {
-    // A knife edge gives heights alone: its slopes are splined too, one order less where the snap steps.
+    // A knife edge determines only heights, so a spline also gives its slopes. Where the fourth derivative jumps, the order is one lower.
     for (roller_radius, near) in [(0.01, 1e-6), (0.0, 1e-5)] {
         let cam = Cam {
             law: thesis::double_harmonic().law,
@@ -395,7 +395,7 @@ fn width_and_shear_depth_of_the_worst_contact_carry_its_force() {
         for model in [Model::Rigid, Model::Contact] {
             let worst = simulate(&run, model).unwrap().hertz.unwrap();
             let contact = worst.contact;
-            // The pressure is half an ellipse over the width: N = π b p₀ L/2 (Johnson 1985, eq. 4.45).
+            // The pressure is semi-elliptic over the half-width b: N = π b p₀ L/2 (Johnson 1985, eq. 4.45).
             let carried = 0.5 * PI * contact.half_width * contact.pressure * 0.01;
             let at = cam.law.svaj(worst.theta);
             let normal = run.drive.force(at) / cam.point(worst.theta).pressure_angle.cos();

@@ -13,13 +13,13 @@ use crate::error::{DynamicsError, Result};
 use crate::law::{Law, Svaj};
 use crate::units::{Dimension, Quantity};
 
-/// Minimum and maximum number of integration steps between two rows, and number of steps per time constant of the motor.
+/// Minimum and maximum number of integration steps between two rows. Within this range, `PER_TIME_CONSTANT` sets the number.
 const SUBSTEPS: [f64; 2] = [2.0, 256.0];
 const PER_TIME_CONSTANT: f64 = 4.0;
 /// Relative difference between the available and the required torque of the motor above which the motor cannot follow the programme.
 const SAME_TORQUE: f64 = 1e-6;
 
-/// A cam that follows a programme, at the times of its rows.
+/// Motion, force and torque of a cam that follows a speed programme, at the times of the rows of the programme.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -27,7 +27,7 @@ const SAME_TORQUE: f64 = 1e-6;
 /// use gaitcam::dynamics::{ProgrammeRun, Run, SpeedProgramme};
 /// use gaitcam::law::Law;
 ///
-/// // An eccentric of 10 mm under 10 kg at constant speed: M (g − e ω² sin θ).
+/// // An eccentric of e = 10 mm lifts M = 10 kg at constant speed. The force is M (g − e ω² sin θ).
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let run = Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720);
 /// let even = SpeedProgramme::new(vec![0.0, 0.5, 1.0], vec![5.0; 3])?;
@@ -53,14 +53,14 @@ pub struct ProgrammeRun {
     pub force_n: Vec<f64>,
     /// Torque at the camshaft, N·m: torque of the motor if there is one, otherwise torque of the load.
     pub torque: Vec<f64>,
-    /// Whether the follower leaves the cam.
+    /// Whether the contact force is negative at a row, so that the follower leaves the cam.
     pub contact_lost: bool,
 }
 
 impl ProgrammeRun {
     /// Simulates a cam that follows a speed programme. The lift is recovered from the output profile. `start` is the cam angle at the first
-    /// row of the programme, rad. With a motor, the programme is the commanded no-load speed; without one, it is the speed of the shaft.
-    /// The model is rigid.
+    /// row of the programme, rad. With a motor, the programme is the commanded no-load speed. Without a motor, it is the speed of the
+    /// shaft. The model is rigid.
     ///
     /// # Errors
     /// The cam is not closed, no smooth lift can be recovered from the output profile, or the shaft of the motor stops.
@@ -176,8 +176,8 @@ impl<'a> Follower<'a> {
         }
     }
 
-    /// No-load speed of the motor at the rows of a prescribed run, rad/s, for which the torque of the motor is the torque of the run.
-    /// Without a motor, it is the speed of the run.
+    /// No-load speed of the motor at the rows of a prescribed run, rad/s. At this speed, the torque of the motor equals the torque of the
+    /// run. Without a motor, the result is the speed of the run.
     ///
     /// # Errors
     /// The motor does not reach the torque or the no-load speed.

@@ -14,7 +14,7 @@ use crate::poly::amplitudes;
 /// Number of equally spaced natural frequencies of the mode, and their range relative to the step frequency.
 const TUNINGS: usize = 401;
 const BAND: [f64; 2] = [0.9, 1.1];
-/// Number of harmonics of the stride frequency; the response to higher harmonics is negligible.
+/// Number of harmonics of the stride frequency. The response to higher harmonics is negligible.
 const OF_STRIDE: usize = 48;
 
 /// Spectral lines of a periodically repeated force.
@@ -22,7 +22,7 @@ const OF_STRIDE: usize = 48;
 /// ```
 /// use gaitcam::dynamics::RepeatedForce;
 ///
-/// // At resonance a mode of 1 kg under 280 N sin ωt has the acceleration 280/(2ζ), of which the root mean square is 1/√2.
+/// // At resonance, a mode of 1 kg under 280 N·sin ωt has the acceleration amplitude 280/(2ζ). Its RMS value is smaller by the factor √2.
 /// let wave = |i: u32| 700.0 + 280.0 * (2.0 * std::f64::consts::TAU * f64::from(i) / 64.0).sin();
 /// let force = RepeatedForce::new(&(0..64).map(wave).collect::<Vec<_>>(), 1.0, 1);
 /// let peak = force.peak(0.005);
@@ -30,7 +30,7 @@ const OF_STRIDE: usize = 48;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct RepeatedForce {
-    /// Square of the angular frequency of each line, (rad/s)². The next field is the mean square of the force of each line, N².
+    /// Square of the angular frequency of each line, (rad/s)². `means` contains the mean square of the force of each line, N².
     squares: Vec<f64>,
     means: Vec<f64>,
     strides: usize,
@@ -62,7 +62,7 @@ impl RepeatedForce {
         RepeatedForce::new(&walk.force_n(), walk.duration_s, walk.strides())
     }
 
-    /// Natural frequencies of the mode, Hz: 401 equally spaced ones from 0.9 to 1.1 of a step frequency.
+    /// Natural frequencies of the mode, Hz: 401 equally spaced values from 0.9 to 1.1 times a step frequency.
     pub fn tunings(step_frequency_hz: f64) -> Vec<f64> {
         let part = |i: usize| i as f64 / (TUNINGS - 1) as f64;
         let at = |i: usize| step_frequency_hz * (BAND[0] + part(i) * (BAND[1] - BAND[0]));
@@ -90,7 +90,7 @@ impl RepeatedForce {
         self.about(self.step_frequency_hz, damping_ratio)
     }
 
-    /// Maximum RMS acceleration, m/s², of a mode of 1 kg with a natural frequency from 0.9 to 1.1 of the step frequency.
+    /// Maximum RMS acceleration, m/s², of a mode of 1 kg with a natural frequency from 0.9 to 1.1 times the step frequency.
     pub fn peak(&self, damping_ratio: f64) -> f64 {
         self.response(damping_ratio).into_iter().fold(0.0, f64::max)
     }
@@ -130,7 +130,7 @@ impl RepeatedForce {
 /// ```
 /// use gaitcam::dynamics::RepeatedForce;
 ///
-/// // A force twice as large: ln 2 everywhere.
+/// // For a force twice as large, the response ratio is 2 at every natural frequency.
 /// let wave = |size: f64| move |i: u32| size * (2.0 * std::f64::consts::TAU * f64::from(i) / 64.0).sin();
 /// let [one, two] = [1.0, 2.0].map(|size| RepeatedForce::new(&(0..64).map(wave(size)).collect::<Vec<_>>(), 1.0, 1));
 /// for of in one.misfits(&two) {
@@ -139,11 +139,11 @@ impl RepeatedForce {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Misfit {
-    /// Damping ratio of the mode.
+    /// Damping ratio of the mode, relative to critical damping.
     pub damping_ratio: f64,
-    /// Mean of |ln(response ratio)| over 0.9 … 1.1 of the step frequency.
+    /// Mean of |ln(response ratio)| over natural frequencies from 0.9 to 1.1 times the step frequency.
     pub misfit: f64,
-    /// Maximum response to the second force, relative to the maximum response to the first.
+    /// Maximum response to the second force, relative to the maximum response to the first force.
     pub peak_ratio: f64,
 }
 
@@ -151,8 +151,8 @@ pub struct Misfit {
 mod tests {
     use super::*;
 
-    /// Mean square acceleration of the last repeats of a mode of 1 kg under a force that is linear between its samples, integrated with the exact
-    /// step of a linear oscillator.
+    /// RMS acceleration of a mode of 1 kg in the last repetition of a force that is linear between its samples. The integration uses the
+    /// exact step of a linear oscillator.
     fn integrated(force: &[f64], duration_s: f64, mode_hz: f64, damping_ratio: f64) -> f64 {
         let (w, z) = (TAU * mode_hz, damping_ratio);
         let h = duration_s / force.len() as f64;

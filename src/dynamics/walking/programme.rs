@@ -34,7 +34,7 @@ pub struct Bounds {
     pub force_min: f64,
 }
 
-/// Programme for a recorded walk, with the run of the cam.
+/// Speed programme for a recorded walk, and the run of the cam that follows it.
 ///
 /// ```
 /// use gaitcam::dynamics::{Bounds, Followed};
@@ -102,12 +102,12 @@ impl SpeedProgramme {
 
 impl Followed {
     /// Computes the speed for which a cam reproduces the step times of a walk, with the minimum smoothing that the bounds and the motor
-    /// permit. `steps_per_turn` is 1 or 2. The cycle of the cam's force begins at the cam angle `first`; the other foot strikes at the
+    /// permit. `steps_per_turn` is 1 or 2. The cycle of the cam's force begins at the cam angle `first`. The other foot strikes at the
     /// fraction `middle` of the cycle.
     ///
     /// # Errors
-    /// The cam violates a bound even at constant speed, the motor cannot follow the programme, or the rigid model does not support the cam
-    /// or the machine.
+    /// The cam violates a bound even at constant speed; the motor cannot follow the programme; the rigid model does not support the cam or
+    /// the machine.
     pub fn new(
         run: &Run,
         walk: &Walk,

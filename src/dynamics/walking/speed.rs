@@ -16,7 +16,7 @@ use crate::error::{DynamicsError, Result};
 pub struct SpeedProgramme {
     /// Times of the rows, s, increasing.
     pub time_s: Vec<f64>,
-    /// Speed at these times, rad/s; the last value belongs to the end of the programme.
+    /// Speed at these times, rad/s. The last value belongs to the end of the programme.
     pub speed: Vec<f64>,
 }
 
@@ -39,7 +39,7 @@ impl SpeedProgramme {
         Ok(SpeedProgramme { time_s, speed })
     }
 
-    /// Cam angles at the rows, rad; `start` is the angle at the first row.
+    /// Cam angles at the rows, rad. `start` is the angle at the first row.
     pub fn angles(&self, start: f64) -> Vec<f64> {
         let mut angle = start;
         let steps = self.time_s.windows(2).zip(self.speed.windows(2));

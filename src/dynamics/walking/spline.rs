@@ -1,4 +1,5 @@
-//! Periodic cubic smoothing spline (Reinsch 1967): the curve with the minimum of Σ (p(tₖ) − yₖ)² + λ ∫ p″². It passes through yₖ for λ = 0.
+//! Periodic cubic smoothing spline (Reinsch 1967) for values yₖ at the times tₖ. The curve p minimises Σ (p(tₖ) − yₖ)² + λ ∫ p″². For λ =
+//! 0, it passes through the values.
 //!
 //! R is the cyclic matrix of the integrals of products of two hat functions. Q is the cyclic matrix of second differences. The second
 //! derivatives γ at the knots solve (R + λ QᵀQ) γ = Qᵀy, and p = y − λ Q γ. The matrix of this system is cyclic, with two diagonals on

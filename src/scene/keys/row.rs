@@ -119,13 +119,13 @@ impl Key {
         (self.access.set)(scene, index, value)
     }
 
-    /// Numeric value of the key in a scene, in SI units; for a list, that of the first entry. `None` if there is no number.
+    /// Numeric value of the key in a scene, in SI units. In a list, it is the value of the first entry. `None` if there is no number.
     pub fn number(&self, scene: &Scene) -> Option<f64> {
         self.get(scene, 0).and_then(Value::number)
     }
 
-    /// Sets a number in a scene, in SI units, without reading the scene again. It is used in sweeps. Returns `false` if the number cannot be set in
-    /// this way; the scene must then be read again from its changed table.
+    /// Sets a number in a scene, in SI units, without reading the scene again. It is used in sweeps. Returns `false` if the number cannot
+    /// be set in this way. The scene must then be read again from its changed table.
     pub fn set_number(&self, scene: &mut Scene, index: usize, value: f64) -> bool {
         let there = self.get(scene, index).is_some() || self.list().is_none();
         self.direct
@@ -216,7 +216,7 @@ impl Key {
         self
     }
 
-    /// Marks a key that each scene must contain, unless the key is restricted to other scenes.
+    /// Marks the key as required in every scene in which it is valid.
     pub(super) const fn required(mut self) -> Key {
         self.required = |_| true;
         self

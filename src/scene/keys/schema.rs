@@ -87,7 +87,7 @@ fn number(key: &Key, dimensions: &[Dimension], word: Option<&str>) -> Value {
         _ => "[+-]?",
     };
     let digits = "(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?";
-    // A number with a unit; zero and dimensionless ratios do not need a unit.
+    // A number with a unit. Zero and dimensionless ratios do not need a unit.
     let unit = if dimensions.contains(&Dimension::Ratio) {
         "(\\s*\\S.*)?"
     } else {

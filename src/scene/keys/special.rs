@@ -108,7 +108,7 @@ fn written_harmonic(harmonic: &Harmonic) -> String {
     }
 }
 
-/// Access to `cam.offset`. With "auto", the design determines the offset; the default is 0.
+/// Access to `cam.offset`. The default is 0. With "auto", the design determines the offset.
 pub(super) const OFFSET: Access = Access {
     get: |s, _| {
         let offset = s.cam.offset.map(Value::Number);

@@ -252,7 +252,7 @@ const fn count(most: usize) -> Takes {
     Takes(Kind::Count(1, most), Any)
 }
 
-/// A word of a closed set.
+/// A word of the closed set of the type `T`.
 const fn words<T: Words>() -> Takes {
     Takes(
         Kind::Choice(|| T::words().into_iter().map(|w| w.0).collect()),
@@ -322,24 +322,25 @@ fn no_force(scene: &Scene) -> Option<Idle> {
     scene.gait.is_none().then_some(Idle::NoForce)
 }
 
-/// Reason for which the offset has no effect, if the follower is a translating flat face; otherwise `None`.
+/// The offset has no effect for a translating flat face. Returns the reason, or `None` for other followers.
 fn flat_translating(scene: &Scene) -> Option<Idle> {
     (is_flat(scene) && translates(scene)).then_some(Idle::Follower)
 }
 
-/// Reason for which a diameter has no effect, if the cam is not a disc; otherwise `None`.
+/// A limit on the diameter applies only to a disc cam. Returns the reason for other cams, or `None` for a disc cam.
 fn unrolled(scene: &Scene) -> Option<Idle> {
     (!is_disc(scene)).then_some(Idle::Follower)
 }
 
-/// Reason for which the length of the face has no effect, if the follower has no flat or arc-shaped face; otherwise `None`.
+/// A limit on the length of the face applies only to a flat or arc-shaped face. Returns the reason for other followers, or `None` for such
+/// a face.
 fn no_face(scene: &Scene) -> Option<Idle> {
     let has_face = is_flat(scene) || scene.cam.follower.is_mushroom();
     (!has_face).then_some(Idle::Follower)
 }
 
-/// Reason for which a limit on the mean power has no effect, if the machine has neither damping nor a learned force, because its mean power is then
-/// 0; otherwise `None`.
+/// Without damping and without a learned force, the mean power is 0, so a limit on it has no effect. Returns the reason, or `None`
+/// otherwise.
 fn undamped(scene: &Scene) -> Option<Idle> {
     let gives_back = scene.drive.damping == 0.0 && scene.machine.learned_force.is_empty();
     gives_back.then_some(Idle::Drive)
@@ -353,30 +354,30 @@ fn hydraulic(scene: &Scene) -> Option<Idle> {
     is_hydraulic(scene).then_some(Idle::Drive)
 }
 
-/// Reason for which sliding friction has no effect, if the follower has a roller; otherwise `None`.
+/// Sliding friction has no effect for a roller. Returns the reason, or `None` for other followers.
 fn rolls(scene: &Scene) -> Option<Idle> {
     has_roller(scene).then_some(Idle::Follower)
 }
 
-/// Reason for which keys of the follower's vibration have no effect, if the follower is rigid; otherwise `None`.
+/// Keys of the follower's vibration have no effect for a rigid follower. Returns the reason, or `None` for a flexible follower.
 fn rigid(scene: &Scene) -> Option<Idle> {
     let machine = &scene.machine;
     let is_flexible = machine.natural_frequency.is_some() || machine.stiffness.is_some();
     (!is_flexible).then_some(Idle::RigidFollower)
 }
 
-/// Reason for which keys of the motor and the shaft have no effect, if no torque of the motor is given, because the speed is then constant;
-/// otherwise `None`.
+/// Without a motor torque, the speed is constant, so keys of the motor and the shaft have no effect. Returns the reason, or `None` with a
+/// motor.
 fn no_motor(scene: &Scene) -> Option<Idle> {
     (!scene.machine.motor.is_given()).then_some(Idle::NoMotor)
 }
 
-/// Reason for which walkers have no effect, if the floor is rigid; otherwise `None`.
+/// Walkers have no effect on a rigid floor. Returns the reason, or `None` for a moving floor.
 fn no_floor(scene: &Scene) -> Option<Idle> {
     (!scene.machine.has_floor()).then_some(Idle::StiffFloor)
 }
 
-/// Reason for which a limit on the vibration in a dwell has no effect, if the law has no dwell; otherwise `None`.
+/// A limit on the vibration in a dwell has no effect for a law without dwells. Returns the reason, or `None` for a law with a dwell.
 fn no_dwell(scene: &Scene) -> Option<Idle> {
     let law = &scene.law;
     let rests = law.segments.iter().any(|s| s.motion == Rise::Dwell);

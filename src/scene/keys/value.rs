@@ -77,8 +77,8 @@ impl Value {
     }
 }
 
-/// Text of a number for a scene file, with its unit. Reading the text again gives exactly the same number. The unit is a common one if this is
-/// possible.
+/// Text of a number for a scene file, with its unit. Reading the text again gives exactly the same number. A common unit such as mm is used
+/// if the text is then exact and not longer than in SI units.
 pub(super) fn written(value: f64, dimension: Dimension) -> String {
     let si = format!("{value} {}", dimension.si());
     let common: &[(&str, f64)] = match dimension {

@@ -17,7 +17,7 @@ const THICKNESS: f64 = 0.01;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct CamSpec {
-    /// Kind of follower.
+    /// Kind of follower, which determines the dimensions that the scene requires.
     pub follower: FollowerKind,
     /// Base radius; `None`: the minimum radius that satisfies the limits.
     pub base_radius: Option<f64>,
@@ -31,7 +31,7 @@ pub struct CamSpec {
     pub pivot_distance: Option<f64>,
     /// Length of the arm of an oscillating follower.
     pub arm: Option<f64>,
-    /// Whether the arm of an oscillating follower is in another plane than the cam, so that its pivot may be within the outline of the cam.
+    /// Whether the arm of an oscillating follower is in another plane than the cam. Its pivot may then be within the outline of the cam.
     pub pivot_beside: bool,
     /// Distance of the face of an oscillating flat follower from the pivot.
     pub face_offset: f64,
@@ -94,7 +94,7 @@ impl Default for CamSpec {
 /// ```
 /// use gaitcam::scene::{CamSpec, KeywaySpec};
 ///
-/// // DIN 6885-1 gives a bore of 12 mm a keyway of 4 mm.
+/// // DIN 6885-1 specifies a keyway of 4 mm for a bore of 12 mm.
 /// let cam = CamSpec { keyway: Some(KeywaySpec::Auto), bore: Some(0.012), ..CamSpec::default() };
 /// assert_eq!(cam.hole().unwrap().keyway.unwrap().width, 0.004);
 /// ```
@@ -206,7 +206,7 @@ impl CamSpec {
         self.follower.is_oscillating()
     }
 
-    /// Units of the law of the follower.
+    /// Kind of motion of cam and follower, which determines the units of the law.
     pub fn measures(&self) -> Measures {
         self.follower.measures()
     }

@@ -15,7 +15,7 @@ use crate::units::G;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct DriveSpec {
-    /// Kind of the drive.
+    /// Kind of the drive: moving axis, fixed axis or hydraulic.
     pub kind: DriveKind,
     /// Moved mass, kg (moment of inertia, kg·m², for an arm); `None`: mean force divided by g.
     pub mass: Option<f64>,
@@ -33,8 +33,8 @@ pub struct DriveSpec {
     pub preload: f64,
     /// Damping coefficient on a fixed axis, N·s/m; not available for an arm.
     pub damping: f64,
-    /// Distance from the pivot at which the target force and the piston act on an arm, m; `None`: the length of the arm, or the pivot distance for a
-    /// flat face.
+    /// Distance from the pivot at which the target force and the piston act on an arm, m. The default `None` selects the length of the arm,
+    /// or the pivot distance for a flat face.
     pub lever: Option<f64>,
 }
 

@@ -23,7 +23,7 @@ pub struct FloorSpec {
     pub mass: Option<f64>,
     /// Natural frequency of the mode, Hz.
     pub frequency: Option<f64>,
-    /// Damping ratio of the mode.
+    /// Damping ratio of the mode, relative to critical damping.
     pub damping: Option<f64>,
     /// Ordinate of the mode shape at the feet, in the normalisation to which the modal mass belongs; 1 by default.
     pub ordinate: f64,
@@ -67,7 +67,7 @@ impl FloorSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct WalkersSpec {
-    /// Number of walkers; the shaker counts as the first one.
+    /// Number of walkers. The shaker counts as the first walker.
     pub count: usize,
     /// Phases of the walkers, starting with the shaker. If the list is empty, the phases are random.
     pub phases: Vec<String>,

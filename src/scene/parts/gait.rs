@@ -48,7 +48,7 @@ impl Default for Source {
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Gait {
-    /// Source of the target force.
+    /// Source of the target force: a recording, a load model or load factors.
     pub source: Source,
     /// Number of steps per second for a load model, Hz; `None`: the usual frequency of the model.
     pub step_frequency: Option<f64>,
@@ -80,7 +80,7 @@ pub struct Gait {
     pub feet: Feet,
     /// Duration of the cycle, s, for a file that contains exactly one cycle. Stances are then not detected.
     pub period: Option<f64>,
-    /// Part of the turn that the file covers, rad; the force is zero in the rest of the turn.
+    /// Angle of the turn that the file covers, rad. The force is zero in the rest of the turn.
     pub span: Option<f64>,
     /// RMS noise of the samples of a recording, N; `None`: estimated from samples of unloaded plates.
     pub noise: Option<f64>,
@@ -185,7 +185,7 @@ impl Gait {
         force.map(Some).map_err(|e| e.at_key("gait.model"))
     }
 
-    /// Fourier series of the force of one walker at a step frequency, Hz. `None` if the force is known only by samples.
+    /// Fourier series of the force of one walker at a step frequency, Hz. `None` if only samples of the force are available.
     ///
     /// # Errors
     ///
@@ -226,9 +226,9 @@ pub enum ForceScale {
     /// The force is not scaled.
     #[default]
     None,
-    /// The force is multiplied so that its mean is M·g.
+    /// The force is multiplied by a constant so that its mean is M·g, with the mass M on the moving axis.
     ToMass,
-    /// The force is shifted so that its mean is M·g. Only the alternating part is then compared.
+    /// A constant is added to the force so that its mean is M·g. Only the alternating part is then compared.
     Alternating,
 }
 

@@ -3,7 +3,7 @@
 use crate::error::SceneError;
 use crate::units::{Dimension, parse};
 
-/// Harmonic i of a force: a sin(2π i f t + p), with the amplitude a, the phase p and the frequency f of the first harmonic.
+/// Harmonic i of a force: a sin(2π i f t + p). The amplitude is a, the phase is p, and f is the frequency of the first harmonic.
 ///
 /// ```
 /// use gaitcam::scene::Harmonic;

@@ -10,7 +10,7 @@ use crate::law::Rise;
 /// use gaitcam::{Scene, scene};
 ///
 /// assert_eq!(Family::DoubleHarmonic.name(), "double-harmonic");
-/// // A scene file that names none gets harmonics while they suffice.
+/// // The key `law.family` selects the family.
 /// let read: Scene = scene::built_in("footbridge")?.scene()?.with("law.family", "harmonic")?;
 /// assert_eq!(read.law.family, Family::Harmonic);
 /// # Ok::<(), gaitcam::error::Error>(())
@@ -91,7 +91,7 @@ impl ShaftSpeed {
 /// use gaitcam::Scene;
 /// use gaitcam::synth::synthesise;
 ///
-/// // 10 mm up and down with the least mean square acceleration.
+/// // Rise of 10 mm and return with the minimum mean square acceleration.
 /// let law = LawSpec {
 ///     minimise: Some(Minimise::Energy(2)),
 ///     points: vec![LawPoint::at(0.0, 0.0), LawPoint::at(std::f64::consts::PI, 0.01)],
@@ -104,13 +104,13 @@ impl ShaftSpeed {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Minimise {
-    /// Mean square error of the force.
+    /// Mean square difference between force and target force.
     ForceError,
     /// Mean square of the derivative of the lift of this order (2 acceleration, 3 jerk, 4 snap).
     Energy(usize),
     /// Maximum magnitude of the derivative of the lift of this order.
     Peak(usize),
-    /// Maximum magnitude of the force error.
+    /// Maximum absolute difference between force and target force.
     PeakForceError,
     /// Size of the cam: radius of the base circle for a flat face, of the prime circle for a roller. Law and size are variables of one program.
     Size,
@@ -175,7 +175,7 @@ impl LawPoint {
 /// use gaitcam::Scene;
 /// use gaitcam::synth::synthesise;
 ///
-/// // At rest on the base circle over the last quarter of the turn.
+/// // Dwell on the base circle over the last quarter of the turn.
 /// let (from, to) = (1.5 * std::f64::consts::PI, std::f64::consts::TAU);
 /// let law = LawSpec {
 ///     minimise: Some(Minimise::Energy(3)),
@@ -236,7 +236,7 @@ impl SegmentSpec {
     }
 }
 
-/// Specification of the law: family, size and exact conditions.
+/// Specification of the law: family, resolution and exact conditions.
 ///
 /// ```
 /// use gaitcam::law::Rise;
@@ -251,7 +251,7 @@ impl SegmentSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct LawSpec {
-    /// Family of the law.
+    /// Family of functions to which the law belongs.
     pub family: Family,
     /// Degree of the spline (`None`: 5, or 7 for a polydyne cam with damping), or of the polynomial (`None`: determined by the points).
     pub degree: Option<usize>,
@@ -267,7 +267,8 @@ pub struct LawSpec {
     pub error: ErrorMeasure,
     /// Whether the law must be monotone between adjacent points.
     pub monotone: bool,
-    /// Whether the law describes the motion of the end of a compliant follower (polydyne cam).
+    /// Whether the law prescribes the motion of the mass at the end of a compliant follower (polydyne cam). The lift of the cam then
+    /// differs from it.
     pub polydyne: bool,
     /// Shaft speed for which the law is designed.
     pub shaft: ShaftSpeed,

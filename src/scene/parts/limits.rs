@@ -1,11 +1,11 @@
-//! `[limits]`: limits of the design.
+//! `[limits]`: limits of the design, such as stroke, jerk and pressure angle.
 
 use std::ops::{Index, IndexMut};
 
 use crate::cam::LimitKind;
 
-/// Limits of the design in SI units, indexed by [`LimitKind`]; `None`: no limit. [`LimitKind::PressureAngle`] is one bound for rise and fall, so
-/// [`Limits::set`] and [`Limits::with`] set both.
+/// Limits of the design in SI units, indexed by [`LimitKind`]; `None` means no limit. [`LimitKind::PressureAngle`] is a common bound for
+/// rise and fall, so [`Limits::set`] and [`Limits::with`] set both bounds.
 ///
 /// ```
 /// use gaitcam::LimitKind;

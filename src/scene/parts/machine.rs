@@ -32,7 +32,7 @@ pub struct MachineSpec {
     pub natural_frequency: Option<f64>,
     /// Stiffness of the follower train, N/m (N·m/rad for an arm), as an alternative to the natural frequency.
     pub stiffness: Option<f64>,
-    /// Damping ratio of the follower train.
+    /// Damping ratio of the follower train, relative to critical damping.
     pub damping_ratio: f64,
     /// Coefficient of sliding friction in the contact of cam and follower.
     pub friction: f64,
@@ -61,7 +61,7 @@ pub struct MachineSpec {
 /// ```
 /// use gaitcam::scene::{MachineSpec, MotorSpec};
 ///
-/// // 2 N·m at standstill, 100 rad/s without load, behind a gear of 8: a line of 8²·2/100 N·m·s/rad at the camshaft.
+/// // Stall torque 2 N·m, no-load speed 100 rad/s, gear ratio 8. The slope at the camshaft is 8²·2/100 = 1.28 N·m·s/rad.
 /// let motor = MotorSpec { stall_torque: Some(2.0), no_load_speed: Some(100.0), gear: 8.0, ..MotorSpec::default() };
 /// let machine = MachineSpec { motor, inertia: Some(0.5), ..MachineSpec::default() };
 /// let motor = machine.motor().unwrap();
@@ -80,7 +80,7 @@ pub struct MotorSpec {
     pub rated_torque: Option<f64>,
     /// Rated speed of an induction motor, rad/s.
     pub rated_speed: Option<f64>,
-    /// Synchronous speed of an induction motor, rad/s; `None`: the lowest one above the rated speed for a supply of 50 Hz or 60 Hz.
+    /// Synchronous speed of an induction motor, rad/s; `None`: the lowest synchronous speed above the rated speed, for 50 Hz or 60 Hz.
     pub synchronous_speed: Option<f64>,
     /// Moment of inertia of the rotor, at the motor, kg·m².
     pub inertia: f64,
@@ -132,7 +132,8 @@ impl MotorSpec {
         ))
     }
 
-    /// Synchronous speed, rad/s: the given one, or the lowest one of 2, 4, 6 or 8 poles that is above the rated speed.
+    /// Synchronous speed, rad/s. If it is not given, it is the lowest synchronous speed above the rated speed, for 2, 4, 6 or 8 poles at 50
+    /// Hz or 60 Hz.
     fn synchronous(&self) -> Option<f64> {
         let rated = self.rated_speed?;
         let per_pair = [50.0, 60.0].map(|frequency| TAU * frequency);
@@ -157,7 +158,7 @@ impl MotorSpec {
         sound.then_some(rows)
     }
 
-    /// Torque as a function of speed, referred to the camshaft, and the no-load speed of the camshaft, rad/s, if it is known.
+    /// Torque as a function of speed, referred to the camshaft, and the no-load speed of the camshaft, rad/s, if the data determine it.
     fn line(&self) -> Option<(TorqueLine, Option<f64>)> {
         let (n, factor) = (self.gear, self.gear * self.efficiency);
         if let Some(slope) = self.slope {
@@ -182,7 +183,7 @@ impl MachineSpec {
     ///
     /// # Errors
     ///
-    /// Error with the key that is invalid.
+    /// The motor data are inconsistent. The error contains the key that must be changed.
     pub(in crate::scene) fn check_motor(&self) -> Result<(), (&'static str, SceneError)> {
         let motor = &self.motor;
         let lines = [
@@ -263,7 +264,7 @@ impl MachineSpec {
         .sum()
     }
 
-    /// Compliance between cam and mass; `None` for a rigid follower.
+    /// Stiffness and damping of the follower train between cam and mass; `None` for a rigid follower.
     ///
     /// # Errors
     /// A natural frequency is given without a mass.

@@ -30,7 +30,7 @@ impl MachineSpec {
     ///
     /// # Errors
     ///
-    /// Error with the key that is invalid.
+    /// The data of the floor are inconsistent. The error contains the key that must be changed.
     pub(in crate::scene) fn check_floor(&self) -> Result<(), (&'static str, SceneError)> {
         let floor = &self.floor;
         if !self.has_floor() {

@@ -110,7 +110,7 @@ pub struct Adjust {
 const ADJUSTED: [&str; 4] = ["mass", "speed", "phase", "none"];
 
 impl Adjust {
-    /// Reads the names of the adjusted quantities; `"none"` means that nothing is adjusted.
+    /// Reads the names of the adjusted quantities. The name `"none"` means that nothing is adjusted.
     ///
     /// # Errors
     ///

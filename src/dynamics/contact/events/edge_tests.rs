@@ -17,7 +17,7 @@ fn zeno_bouncing_ends_in_contact_every_turn() {
 
 #[test]
 fn a_grazing_force_is_no_flight() {
-    // At the lift-off speed of the surface itself the force touches zero.
+    // At the lift-off speed computed for the recovered lift, the minimum force is zero.
     let cam = thesis::eccentric();
     let own = rigid::liftoff_speed(
         &emitted(&cam, 1440, &thesis::real(20.0))[0].law,
@@ -76,7 +76,7 @@ fn two_cams_hand_over_at_the_crossing_with_the_step_of_their_slopes() {
     assert_eq!((run.settle.is_some(), run.period), (true, 1));
     let hits: Vec<&Impact> = run.steady_impacts().collect();
     assert_eq!(hits.len(), 2);
-    // By symmetry of s about 135° the crossings are at 135° ± 90°, that is 45° and 225°.
+    // By the symmetry of s about 135°, the crossings are at 135° ± 90°, which is 45° and 225°.
     for (hit, at) in hits.iter().zip([45.0, 225.0]) {
         assert!(
             (hit.at.to_degrees().rem_euclid(360.0) - at).abs() < 1e-6,
@@ -154,6 +154,6 @@ fn a_dwell_with_a_micrometre_of_noise_neither_lifts_nor_rattles() {
             .map(|(a, b)| (drive.force(a) - drive.force(b)).abs())
             .fold(0.0, f64::max)
     };
-    // ω²M·noise/step ≈ 0.03 N times the spline's gain.
+    // The rigid force changes by ω²M·noise/step ≈ 0.03 N, multiplied by the gain of the spline.
     assert!(worst(&curve.law) < 0.15, "{}", worst(&curve.law));
 }

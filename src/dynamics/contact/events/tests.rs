@@ -8,7 +8,7 @@ use crate::dynamics::{rigid, thesis};
 use crate::law::Law;
 use crate::units::G;
 
-/// Surfaces of the emitted cam, not of the law from which it was made.
+/// Contact surfaces recovered from the output profile of a cam, not taken from its law.
 pub(super) fn emitted(cam: &Cam, n: usize, drive: &Drive) -> Vec<Surface> {
     let curve = recover(&cam.follower, &cam.profile(n)).unwrap();
     vec![Surface::new(curve.law, drive)]
@@ -20,7 +20,7 @@ pub(super) fn run_cam(cam: &Cam, drive: &Drive, e: f64) -> ContactRun {
 
 #[test]
 fn plastic_flights_land_at_the_closed_form_angles() {
-    // theory §10: leaves, lands (degrees), flight (s), landing speed, largest gap (mm).
+    // Theory §10: angles of lift-off and landing (degrees), flight time (s), landing speed (m/s), maximum gap (mm).
     for (cam, speed, leaves, lands, flight, landing, gap) in [
         (
             thesis::eccentric(),
@@ -66,8 +66,8 @@ fn plastic_flights_land_at_the_closed_form_angles() {
 fn bounces_at_restitution_one_half_follow_the_computed_sequences() {
     let run = run_cam(&thesis::eccentric(), &thesis::real(35.0), 0.5);
     let at: Vec<f64> = run.impacts.iter().map(|i| i.at.to_degrees()).collect();
-    // theory §10 counts the eccentric's bounces one turn on: 591.08° is 231.08° (a flight of 386° is
-    // impossible at a rebound of 0.108 m/s, which falls back within 0.022 s).
+    // Theory §10 gives the bounces of the eccentric one turn later: its 591.08° is 231.08° here. A flight of 386° is impossible, because a
+    // rebound of 0.108 m/s falls back within 0.022 s.
     for (got, stated) in at
         .iter()
         .zip([204.980906, 231.082050, 242.937945, 248.695718])
@@ -116,7 +116,7 @@ fn contact_is_kept_just_below_lift_off_and_lost_just_above() {
             assert_eq!(above.period, 1);
         }
     }
-    // The closed form √(g/e) itself.
+    // Closed form of the lift-off speed: √(g/e).
     let jump = (G / thesis::LIFT).sqrt();
     assert_eq!(
         run_cam(
@@ -160,7 +160,7 @@ fn a_spring_loaded_eccentric_leaves_at_122_474_and_not_before() {
     );
     let run = run_cam(&cam, &drive(jump * (1.0 + 1e-8)), 0.0);
     assert!(run.lost_fraction() > 0.0);
-    // Well above: the flight obeys the spring; check the landing by the two motions themselves.
+    // Well above the lift-off speed, the flight follows the spring. At the landing, its height must equal the lift.
     let run = run_cam(&cam, &drive(140.0), 0.0);
     let hit = run.impacts[0];
     let w = 5000.0_f64.sqrt();
@@ -171,7 +171,7 @@ fn a_spring_loaded_eccentric_leaves_at_122_474_and_not_before() {
     assert!((x - 0.02 - 0.01 * hit.at.sin()).abs() < 1e-11);
 }
 
-/// A round cam turns below the mass: every flight is a throw above level ground.
+/// Bounces on a cylindrical cam. Its lift is constant, so the mass is thrown above a level surface.
 fn level(e: f64, limits: &Limits, speed_up: f64) -> ContactRun {
     let law = Law::harmonic(0.0, &[]);
     let drive = thesis::real(10.0);
@@ -236,7 +236,7 @@ fn a_lossless_bounce_keeps_its_energy_to_1e_9_over_1000_impacts() {
 
 #[test]
 fn with_restitution_the_loss_is_exactly_the_impacts_and_bouncing_ends_in_time() {
-    // v, ev, e²v …; the last contact at 2v/(g(1 − e)), Zeno's sum.
+    // The impact speeds are v, ev, e²v, …. The bouncing ends at the time 2v/(g(1 − e)), which is the sum of all flight times.
     for e in [0.1, 0.5, 0.9, 0.99] {
         let run = level(
             e,

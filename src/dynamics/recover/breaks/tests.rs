@@ -3,7 +3,7 @@ use crate::dynamics::recover::{Cycle, recover_cam};
 use crate::law::{Extent, Rise, Segment, program};
 use std::f64::consts::TAU;
 
-/// A cam with rise, dwell, fall and dwell, whose ends do not coincide with rows.
+/// A cam with rise, dwell, fall and dwell. The ends of these segments do not coincide with rows of the profile.
 fn cam(motion: &Rise, follower: Follower) -> Option<Cam> {
     let part = |motion: &Rise, lift: f64, degrees: f64| Segment {
         motion: motion.clone(),
@@ -50,7 +50,7 @@ fn every_law_of_the_catalogue_comes_back_without_overshoot_at_its_jumps() {
                 (emitted.law.svaj(theta).a - cam.law.svaj(theta).a).abs()
             };
             let worst = (0..5003).map(apart).fold(0.0, f64::max) / largest;
-            // A knife edge knows its slopes by differences only.
+            // For a knife edge, the slopes are computed only from differences of the heights.
             let allowed = if follower.roller_radius() > 0.0 || follower.is_flat() {
                 5e-4
             } else {
@@ -104,7 +104,7 @@ fn breakpoints_beside_a_row_on_a_row_and_at_the_first_row_change_nothing() {
             Extent::TURN,
         )
         .unwrap();
-        // Turned so that the cycle's own first angle lies beside a jump, too.
+        // The law is shifted, so that the first angle of the cycle is also close to a jump.
         let law = law.ahead(step * shift);
         let face = Follower::FlatTranslating { base_radius: 0.3 };
         let cam = Cam {

@@ -127,10 +127,10 @@ fn the_normal_force_does_the_work_that_the_shaft_gives() {
             let own = FollowerContact::of(&cam.follower);
             let contact = own.geometry.contact(at);
             let [of_follower, of_cam] = own.kind().velocities(contact.point);
-            // N = Q/(n·G) pushed through the cam's own point gives Q·v.
+            // The normal force N = Q/(n·G), applied at the contact point of the cam, gives the torque Q·v.
             let through = dot(contact.normal, of_cam) / dot(contact.normal, of_follower);
             assert!((through - at.v).abs() < 1e-14, "{}", name(&cam, theta));
-            // The normal is the cam's own, turned into space.
+            // The contact normal equals the profile normal, rotated to the fixed frame.
             let [a, b] = [cam.point(theta), cam.point(theta)].map(|p| cam.normal(&p));
             assert_eq!(a, b);
             let turn = if matches!(
@@ -235,7 +235,7 @@ fn emitted_points_give_back_the_lift_under_every_follower() {
         let (coarse, fine) = (worst(360), worst(1440));
         let knife = !cam.follower.is_flat() && cam.follower.roller_radius() == 0.0;
         let slides = cycle != Cycle::TURN;
-        // A programme's fourth derivative steps at its joints: second order there.
+        // The fourth derivative of a programme jumps at its joints, where the convergence is only of second order.
         let limit = if slides { 2e-5 } else { 1e-6 };
         assert!(
             fine[0] < 1e-8 && fine[1] < 1e-7 && fine[2] < limit,

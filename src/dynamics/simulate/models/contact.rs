@@ -158,7 +158,7 @@ fn integrate(run: &ContactRun, surfaces: &[Surface], input: &Run, p: &Prepared) 
             sums.see(force, torque);
             x = next;
         }
-        // End of a phase, evaluated from inside: the force jumps at a landing or lift-off.
+        // The force jumps at a landing or lift-off, so the end of a phase is evaluated from inside.
         let (force, torque) = state(b - 1e-12 * (b - a));
         sums.see(force, torque);
     }

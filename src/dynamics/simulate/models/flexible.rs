@@ -21,7 +21,7 @@ pub fn flexible_run(input: &Run, p: &Prepared) -> Result<Outcome> {
         out.notes.push(RunNote::FlexibleAtMeanSpeed);
     }
     let n = p.nodes.len();
-    // The angles of most rows are breaks of the input; the other rows nearly coincide with one.
+    // Most rows are at breaks of the input. The other rows nearly coincide with a break.
     let last = steady.theta.len() - 1;
     let (mut forces, mut heights, mut outputs) = (Vec::new(), Vec::new(), Vec::new());
     for i in 0..n {

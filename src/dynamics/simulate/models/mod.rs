@@ -25,8 +25,8 @@ pub(super) fn under(input: &Run, p: &Prepared, model: Model) -> Result<Outcome> 
     }
 }
 
-/// Records the fraction `pulled` of the cycle in which the force is negative, as the fraction without contact. In a groove or a conjugate
-/// pair, the other side carries the negative force. A note then states the fraction.
+/// Records the fraction `pulled` of the cycle in which the force is negative, as the fraction without contact. If the follower is in a
+/// groove or on a conjugate pair, contact is not lost. A note then states the fraction.
 fn note_pull(out: &mut Outcome, input: &Run, p: &Prepared, pulled: f64) {
     if !p.held {
         out.lost_fraction = pulled;

@@ -59,14 +59,14 @@ pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     Ok(out)
 }
 
-/// Fraction of the cycle with a negative force on the surface; a force of 0 is not negative.
+/// Fraction of the cycle with a negative force on the surface. A force of 0 is not negative.
 fn pulled_share(surface: &Surface, p: &Prepared) -> f64 {
     let pulled = surface.pulls.iter().fold(0.0, |sum, (a, b)| sum + b - a);
     pulled / p.cycle.length
 }
 
-/// Simulates the rigid model with a varying shaft speed or a moving floor. With a moving floor or a force correction, the minimum and
-/// maximum force are those at the rows.
+/// Simulates the rigid model with a varying shaft speed, a moving floor or a force correction. With a moving floor or a force correction,
+/// the minimum and maximum force are taken from the rows.
 fn over_time(input: &Run, p: &Prepared, machine: &MachineMotion) -> Outcome {
     let nodes = p.nodes.iter().enumerate();
     let motion = |i: usize| match &p.shaft {
