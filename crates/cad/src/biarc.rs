@@ -78,7 +78,7 @@ pub fn fit(cam: &Cam, tolerance: f64) -> Option<Arcs> {
     along(&Edge::of(cam), tolerance)
 }
 
-/// Approximates an edge, which may be open, by circular arcs within `tolerance` m. `None` in the cases of [`fit`].
+/// Approximates an edge, which may be open, by circular arcs within `tolerance` m. `None` under the conditions given for [`fit`].
 pub(super) fn along(edge: &Edge, tolerance: f64) -> Option<Arcs> {
     let sensible = tolerance.is_finite() && tolerance > 0.0;
     if !sensible || edge.is_undercut() {
@@ -115,7 +115,7 @@ fn follow(
 ) -> Option<()> {
     let biarc = Biarc::between(from, to);
     let circles = biarc.circles();
-    // The maximum distance, or the first one above the tolerance.
+    // Maximum distance between profile and biarc at `count` points, or the first distance above the tolerance.
     let stray = |count: usize| {
         let mut most: f64 = 0.0;
         for k in 1..count {
@@ -162,7 +162,7 @@ impl Biarc {
         let joint = [0, 1].map(|k| 0.5 * (from.p[k] + d * from.t[k] + to.p[k] - d * to.t[k]));
         let first = [joint[0] - from.p[0], joint[1] - from.p[1]];
         let second = [to.p[0] - joint[0], to.p[1] - joint[1]];
-        // The angle between chord and tangent is half the angle of the arc; the bulge is the tangent of a quarter of this angle.
+        // The angle between chord and tangent is half the angle of the arc. The bulge is the tangent of a quarter of the arc's angle.
         let bulge = |a: [f64; 2], b: [f64; 2]| libm::tan(0.5 * libm::atan2(cross(a, b), dot(a, b)));
         let arms = [
             to.p[0] - d * to.t[0] - from.p[0] - d * from.t[0],

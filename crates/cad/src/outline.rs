@@ -49,17 +49,17 @@ pub struct Arrow {
     pub clockwise: bool,
     /// Radius of the arrow's arc, in the unit of the radii given to [`Arrow::new`].
     pub radius: f64,
-    /// Start and tip of the arrow.
+    /// Start and tip of the arrow, in the unit of `radius`.
     pub ends: [[f64; 2]; 2],
-    /// Ends of the two strokes of the arrow's head.
+    /// Ends of the two strokes of the arrow's head, in the unit of `radius`.
     pub head: [[f64; 2]; 2],
 }
 
 impl Arrow {
-    /// Angle of the arc, rad.
+    /// Angle of the arrow's arc, rad.
     pub const ANGLE: f64 = std::f64::consts::FRAC_PI_3;
 
-    /// Arrow whose arc is halfway between bore and base circle; `base` and `bore` are their radii, in any unit.
+    /// Arrow whose arc is halfway between bore and base circle. The radii `base` and `bore` are in any common unit.
     pub fn new(base: f64, bore: f64, clockwise: bool) -> Self {
         let radius = 0.5 * (base + bore);
         let sense = if clockwise { -1.0 } else { 1.0 };

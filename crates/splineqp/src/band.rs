@@ -72,7 +72,7 @@ impl ArrowMatrix {
     }
 
     /// Adds a symmetric block for the band + 1 unknowns from `first` on. Entry (k, l), l ≤ k, is `block[l*(band+1) + k − l]`, as in the
-    /// layout of the band. Returns whether the block lies in the band; otherwise nothing is added.
+    /// layout of the band. Returns whether the block lies in the band. If it does not, nothing is added.
     pub fn add_block(&mut self, first: usize, block: &[f64]) -> bool {
         let w = self.band + 1;
         if block.len() != w * w || first + w > self.n - self.border {
@@ -231,7 +231,7 @@ fn take_off(from: &mut [f64], other: &[f64], part: f64) {
     }
 }
 
-/// Replaces x by L⁻¹x for the banded block alone; x is zero before `start`.
+/// Replaces x by L⁻¹x for the banded block alone. All entries of x before `start` are zero.
 fn forward_in_band(core: &[f64], w: usize, x: &mut [f64], start: usize) {
     match w {
         QUINTIC => forward_of_width(core, QUINTIC, x, start),

@@ -138,7 +138,7 @@ impl Basis {
     pub fn row_on(&self, i: usize, u: f64, weights: &[f64]) -> Entries {
         match self {
             Basis::Spline { space, .. } => match space.degree() {
-                // Loops of constant length take a third of the time; quintics are the default.
+                // Loops of constant length take a third of the time. Quintics are the default.
                 5 => row_on_span(space, 5, (i, u), weights),
                 degree => row_on_span(space, degree, (i, u), weights),
             },
@@ -298,7 +298,7 @@ fn bernstein_basis(u: f64, out: &mut [f64]) {
     }
 }
 
-/// Adds one entry to a row; values with the same index are added.
+/// Adds one entry to a row. Values with the same index are added.
 pub fn add(to: &mut Entries, (index, value): (usize, f64)) {
     match to.iter_mut().find(|e| e.0 == index) {
         Some(e) => e.1 += value,

@@ -1,10 +1,11 @@
 //! Certificate of a law: an upper bound of its distance from the optimum.
 //!
-//! With multipliers λ ≥ 0 of the active rows, the Lagrange dual of the program is a lower bound of its objective. Let r = Hx + g + Eᵀν +
-//! Aᵀλ be the residual of the law x. The difference between the objective and the lower bound is then at most
+//! The active rows aᵢᵀx ≤ bᵢ have the multipliers λ ≥ 0, and the equalities Ex = d have the multipliers ν. With these multipliers, the
+//! Lagrange dual of the program is a lower bound of its objective. Let r = Hx + g + Eᵀν + Aᵀλ be the residual of the law x, where A has the
+//! rows aᵢᵀ. The difference between the objective and the lower bound is then at most
 //!
 //! ```text
-//! gap = Σ λᵢ (bᵢ − aᵢᵀx) − νᵀ(Ex − d) + xᵀr (+ z·y for the cone's own multiplier z)
+//! gap = Σ λᵢ (bᵢ − aᵢᵀx) − νᵀ(Ex − d) + xᵀr (+ z·y for the multiplier z of a cone with the further variables y)
 //! ```
 //!
 //! (Boyd and Vandenberghe, Convex Optimization, §5.5). If H has a Cholesky factor, the quadratic Lagrangian decreases from its value at x
@@ -96,7 +97,8 @@ pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Ce
     let slack = lagrangian.slack;
     let mut gap = slack + project_off_equalities(program, &mut lagrangian.residual, x);
     let residual = &lagrangian.residual;
-    // The gradient is negligible if it is small relative to its largest term, or if the typical lift along it hardly changes the objective.
+    // The gradient is negligible if it is small relative to its largest term. It is also negligible if a change of every coefficient by the
+    // typical lift leaves the objective practically unchanged.
     let along: f64 = residual.iter().map(|r| r.abs()).sum::<f64>() * program.length;
     let left = largest(residual) / lagrangian.largest_term.max(f64::MIN_POSITIVE);
     let left = left.min(along / size);
@@ -232,7 +234,7 @@ fn objective_size<N: Names>(program: &Program<N>, x: &[f64], extra: &Values) -> 
         .sum();
     let costs = || program.cost.iter();
     let beside: f64 = costs().map(|(k, cost)| (cost * extra[k]).abs()).sum();
-    // A variable of typical value and a peak of the scale of its limits are terms too, even if they are 0.
+    // The typical value of a variable and the scale of the limits with the peak also count as terms, even if the variable or the peak is 0.
     let sizes = costs().filter(|(k, _)| *k != PEAK);
     let sizes = sizes.map(|(k, cost)| cost.abs() * program.typical(k));
     let peaks = program.limits.iter().filter(|l| l.is_peak());

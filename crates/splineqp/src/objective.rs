@@ -126,7 +126,7 @@ impl Quadratic {
         }
     }
 
-    /// Adds ½·factor times the mean square of the derivative of the given order (2 = acceleration … 4).
+    /// Adds ½·factor times the mean square of the derivative of the given order (2 = acceleration, 3 = jerk, 4 = fourth derivative).
     pub fn add_energy(&mut self, basis: &Basis, order: usize, factor: f64) {
         let weights = only(order, factor.sqrt());
         let nodes = match basis {
@@ -338,7 +338,7 @@ impl Table {
 
     /// Computes the products of the functions with the target at the nodes. Returns half the weighted square of the target.
     fn pull(&mut self, target: &[f64]) -> f64 {
-        // Loops of constant length take half the time; quintics with one node per function are the default.
+        // Loops of constant length take half the time. The default is quintics with one node per function.
         match target.len() {
             6 => self.pull_at(6, target),
             nodes => self.pull_at(nodes, target),

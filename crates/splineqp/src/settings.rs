@@ -44,7 +44,7 @@ settings! {
         certificate: CertificateSettings = CertificateSettings::default(),
     }
 
-    /// Settings of the least squares under equalities.
+    /// Settings of the least squares under equalities. The level of a law is its constant part.
     EqualitySettings {
         /// Relative pivot below which an equality counts as dependent on the others.
         dependent: f64 = 1e-11,
@@ -66,21 +66,22 @@ settings! {
         steps_per_unknown: usize = 60,
         /// Number of initial rows above which this method is not used, because its basis is dense.
         rows: usize = 1000,
-        /// Maximum number of active rows; with more, the interior-point method is used.
+        /// Maximum number of active rows. With more active rows, the interior-point method is used.
         active: usize = 400,
         /// Excess, relative to the scale of the limit, above which a row counts as violated. It is far below the tolerance of the
         /// iterations.
         resolved: f64 = 1e-12,
         /// Violation below which a law without further progress is accepted as exact up to rounding errors.
         resolved_at_last: f64 = 1e-7,
-        /// Ratio of the violation to the minimum violation so far above which an iteration made no progress.
+        /// An iteration made no progress if its violation, divided by the minimum violation so far, is above this value.
         progress: f64 = 0.9,
         /// Number of iterations without progress after which the method ends.
         patience: usize = 4,
         /// Threshold for linear dependence. A row counts as dependent if the squared length of its component outside the span of the active
         /// rows, divided by the squared length of the row, is below this value.
         dependent: f64 = 1e-13,
-        /// Distance between a new row and an old row of the same limit, relative to the piece, below which the new row replaces the old one.
+        /// Distance between a new row and an old row of the same limit, as a fraction of the piece, below which the new row replaces the
+        /// old one.
         coincident: f64 = 1e-5,
         /// Maximum number of refinements by Newton's method in the iterations.
         refinements: usize = 8,
@@ -102,8 +103,8 @@ settings! {
         heavier: f64 = 100.0,
         /// Ratio of the actual to the predicted decrease of the peak above which a law becomes the next centre.
         kept: f64 = 0.3,
-        /// Maximum gap between the lower bound and the predicted peak with the present rows, as a fraction of the permitted gap, for which
-        /// the weight ε is no longer reduced. Only further rows are then necessary.
+        /// The weight ε is no longer reduced if the lower bound differs from the predicted peak with the present rows by at most this
+        /// fraction of the permitted gap. Only further rows are then necessary.
         proved: f64 = 0.3,
         /// Maximum relative violation of the other limits for which laws are compared by their peaks alone.
         compared: f64 = 1e-4,
@@ -119,17 +120,17 @@ settings! {
     RmsSettings {
         /// Tolerance of the limits in the initial program with a cone.
         rough: f64 = 1e-6,
-        /// First step of ln p; each further step is twice the previous step.
+        /// First step of ln p. Each further step is twice the previous step.
         peak_step: f64 = 0.2,
         /// First step of ln μ, relative to the logarithm of the ratio of the root mean square to its limit.
         step: f64 = 4.0,
-        /// Minimum first step of ln μ; each further step is four times the previous step.
+        /// Minimum first step of ln μ. Each further step is four times the previous step.
         least_step: f64 = 1e-6,
         /// Maximum number of steps of ln μ or ln p.
         steps: usize = 24,
         /// Relative distance between the smallest trial peak and the minimum peak under the other limits.
         pinch: f64 = 2e-7,
-        /// Maximum number of trial weights or peaks after both sides of the limit are known.
+        /// Maximum number of trial weights or peaks after one trial satisfies the limit and another trial violates it.
         weights: usize = 40,
         /// Difference between the logarithms of two weights below which the weights count as equal.
         same_weight: f64 = 1e-11,
@@ -144,7 +145,7 @@ settings! {
         /// Stationarity below which no refinement is necessary. The solver often stops at a stationarity of 1e-7 when the gap is already
         /// negligible. A law with stationarity and gap below 1e-6 is certified.
         stationarity: f64 = 3e-7,
-        /// Tolerance above which a program is a step of a sequence and is not refined.
+        /// Tolerance above which a program counts as one step of a sequence of programs. Such a program is not refined.
         finest_tolerance: f64 = TOLERANCE,
         /// Maximum number of steps with the banded factor; three are usual.
         band_steps: usize = 5,
@@ -194,8 +195,8 @@ settings! {
         steps_per_unknown: usize = 10,
         /// Excess below which a plane of the quadratic program is satisfied.
         step_resolved: f64 = 1e-14,
-        /// Squared length of the part of a plane's normal outside the span of the active planes, relative to the squared length of the
-        /// normal, below which the plane counts as dependent.
+        /// Threshold for linear dependence. A plane counts as dependent if the squared length of the component of its normal outside the
+        /// span of the active planes, divided by the squared length of the normal, is below this value.
         dependent: f64 = 1e-25,
         /// Violation of a dependent plane below which the violation is a rounding error.
         rounding: f64 = 1e-9,
@@ -205,16 +206,18 @@ settings! {
     ExchangeSettings {
         /// Maximum number of iterations; about five are usual.
         rounds: usize = 60,
-        /// Ratio of the violation to the minimum violation so far above which an iteration has stalled.
+        /// An iteration has stalled if its violation, divided by the minimum violation so far, is above this value.
         stalled: f64 = 0.5,
-        /// Ratio of the new margin of every limit after a stall to the larger of the violation and the previous margin.
+        /// Factor for the margin of every limit after a stall. The new margin is this factor times the larger of the violation and the
+        /// previous margin.
         margin_growth: f64 = 2.0,
         /// Maximum margin, as a fraction of the scale of the limit.
         largest_margin: f64 = 1e-6,
         /// Initial margin of programs with second-order cones or root-mean-square limits, as a fraction of the scale of each limit. This
         /// margin exceeds the residual of the solver, since these programs are not refined.
         cone_margin: f64 = 1e-7,
-        /// Distance between a new row and an old row of the same limit, relative to the piece, below which the new row replaces the old one.
+        /// Distance between a new row and an old row of the same limit, as a fraction of the piece, below which the new row replaces the
+        /// old one.
         coincident: f64 = 1e-4,
         /// Gap and feasibility tolerance of the interior-point method. With smaller tolerances, some fits end with the status "insufficient
         /// progress". The refinement increases the accuracy afterwards.

@@ -209,7 +209,7 @@ mod tests {
 
     #[test]
     fn days_are_dates_of_the_gregorian_calendar() {
-        // Days since 1970 of known dates, leap years and centuries among them.
+        // Days since 1970-01-01 of known dates, including leap years and turns of centuries.
         for (days, date) in [
             (0, "1970-01-01"),
             (59, "1970-03-01"),

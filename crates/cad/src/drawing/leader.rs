@@ -15,7 +15,7 @@ const LINE: f64 = 3.9;
 const SHELF: f64 = 2.0;
 /// Width of a dimension, mm, below which its arrows are outside the extension lines.
 const NARROW: f64 = 14.0;
-/// Distance between the text of a dimension and its line, mm.
+/// Distance between the text of a dimension and its dimension line, mm.
 const ABOVE: f64 = 1.0;
 const BEYOND: f64 = 1.5;
 
@@ -59,7 +59,7 @@ impl Pen {
         }
     }
 
-    /// Writes text in the size of dimensions, centred above `at`.
+    /// Writes text in the letter height of dimensions, centred above the point `at`.
     pub fn note(&mut self, text: &str, at: [f64; 2]) {
         self.text(text, at, LETTERS, Anchor::Middle);
     }

@@ -56,7 +56,7 @@ pub enum Anchor {
     End,
 }
 
-/// Content of one sheet while it is drawn.
+/// PDF content of one sheet, to which lines and texts are added.
 pub struct Pen {
     content: Content,
 }

@@ -15,7 +15,7 @@ pub struct Radius {
     pub angle: f64,
     /// Distance of the profile point from the cam's centre.
     pub profile: f64,
-    /// Distance of the ball's centre from the cam's centre at contact.
+    /// Distance of the ball's centre from the cam's centre when the ball touches the profile.
     pub ball: f64,
 }
 

@@ -11,7 +11,7 @@ use crate::outline::zero_mark;
 use crate::words::Labels;
 
 const MM: f64 = 1000.0;
-/// Number of points of the outline.
+/// Number of points with which the outline of the cam is drawn.
 const POINTS: usize = 1440;
 /// Minimum half height of a column of labels, mm.
 const LEAST_HEIGHT: f64 = 20.0;
@@ -51,7 +51,7 @@ struct Label {
 enum Target {
     Circle(f64),
     Point([f64; 2]),
-    /// A point whose label is placed above it.
+    /// A point on the sheet, mm. Its label is at or above the height `HIGH`.
     Below([f64; 2]),
 }
 
@@ -121,7 +121,7 @@ impl<'a> Views<'a> {
         let mark = zero_mark(base, reach_of_bore).map(|p| self.place(p));
         pen.line(&mark, Stroke::Outline);
         pen.note("θ = 0", [x, y + reach + 2.0]);
-        // Outside the outline, near the mark of θ = 0.
+        // The arrow is outside the outline, near the mark of θ = 0.
         let radius = self.around + 0.75 * OVER;
         pen.rotation(self.centre, radius, ARROW, self.piece.clockwise);
     }

@@ -46,7 +46,7 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    /// Content of the file. Equal drawings have equal bytes.
+    /// Content of the DXF file. Equal drawings give equal bytes.
     pub fn bytes(&self) -> Vec<u8> {
         let mut body = Groups::new(self.version, self.units);
         let space = self.tables(&mut body);
@@ -77,7 +77,7 @@ impl Drawing {
             Units::Millimetres => [4, 1],
             Units::Inches => [1, 0],
         };
-        // R12 has no variable for units; its readers use the variable of later dialects.
+        // R12 has no variable for units. Programs that read R12 use the variable of later dialects.
         out.put(9, "$INSUNITS").put(70, unit);
         out.put(9, "$MEASUREMENT").put(70, measurement);
         for (name, [x, y]) in ["$EXTMIN", "$EXTMAX"].into_iter().zip(self.extent) {

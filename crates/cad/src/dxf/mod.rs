@@ -135,7 +135,7 @@ fn chord([x, y]: [f64; 2]) -> [f64; 3] {
     [MM * x, MM * y, 0.0]
 }
 
-/// Converts the coordinates of vertices from m to mm; the bulges are unchanged.
+/// Converts the coordinates of vertices from m to mm. The bulges are unchanged.
 fn millimetres(vertices: &[[f64; 3]]) -> Vec<[f64; 3]> {
     let mm = |&[x, y, bulge]: &[f64; 3]| [MM * x, MM * y, bulge];
     vertices.iter().map(mm).collect()

@@ -91,7 +91,7 @@ impl Table {
         self.segments.iter().map(|s| s[0]).chain(last)
     }
 
-    /// Structured-text literal, `TRUE` if the controller repeats the cam.
+    /// Structured-text literal: `TRUE` if the controller repeats the cam, otherwise `FALSE`.
     pub fn periodic(&self) -> &'static str {
         if self.closed { "TRUE" } else { "FALSE" }
     }

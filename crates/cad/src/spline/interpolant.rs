@@ -24,7 +24,7 @@ impl Interpolant {
         for (i, row) in rows.iter_mut().enumerate() {
             let (first, weights) = basis(spans, i as f64);
             for (k, w) in weights.into_iter().enumerate() {
-                // The end rows have only one nonzero weight; their other weights are zeros outside the band.
+                // The end rows have only one nonzero weight. Their other weights are zeros outside the band.
                 if let Some(place) = (first + k + BAND).checked_sub(i).filter(|p| *p <= 2 * BAND) {
                     row[place] = w;
                 }

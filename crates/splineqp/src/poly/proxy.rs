@@ -13,8 +13,8 @@ const MOST_PARTS: usize = 512;
 /// Fraction of the scale below which the last coefficients are rounding noise of the function, if halving does not reduce them.
 const NOISE: f64 = 1e-9;
 
-/// Piecewise polynomial that agrees with `f` to about `tolerance` times the scale of `f` on every interval of `breaks`. `f` must be smooth between
-/// the breaks. It is evaluated only strictly inside the intervals, with the index of the interval.
+/// Piecewise polynomial that agrees with `f` to about `tolerance` times the scale of `f` on every interval of `breaks`. `f` must be smooth
+/// between the breaks. It is evaluated only strictly inside the intervals, with the index of the interval.
 ///
 /// The function is interpolated at Chebyshev points, and intervals are halved until the last coefficients are negligible.
 pub fn stand_in(breaks: &[f64], tolerance: f64, f: impl Fn(usize, f64) -> f64) -> PiecewisePoly {
@@ -54,7 +54,7 @@ pub fn stand_ins_for_differences(
 /// Values of a function at the nodes of a part.
 type Values = [f64; DEGREE + 1];
 
-/// Interpolant of a function; `first` contains its values at the nodes of whole intervals.
+/// Interpolant of a function. `first` contains the values of the function at the nodes of whole intervals.
 fn joined(
     transform: &Transform,
     breaks: &[f64],

@@ -2,7 +2,7 @@
 //!
 //! Minimises ½xᵀHx + gᵀx + cᵀy subject to equalities and to limits that must hold at *every* point of their domain: Σ wₖ s⁽ᵏ⁾(θ) ≤ bound. A
 //! limit is equivalent to infinitely many rows, one for each θ. `separation` computes the exact points at which a law exceeds a limit most.
-//! `solve` selects the method: `active_set` if only the coefficients are unknown, `exchange` if sizes and peaks are variables.
+//! `solve` selects the method: `active_set` if only the coefficients are unknown, `exchange` if there are further variables.
 
 use crate::Names;
 mod failure;

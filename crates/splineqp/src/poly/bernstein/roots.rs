@@ -50,7 +50,7 @@ pub fn add_critical(b: &[f64], out: &mut Vec<f64>) {
 
 /// The root in (0, 1) of p(1−u)² + 2qu(1−u) + ru², whose end values have different signs.
 fn crossing_of_quadratic(p: f64, q: f64, r: f64) -> f64 {
-    // With t = u/(1−u): r t² + 2q t + p = 0, whose roots have different signs; both forms avoid cancellation.
+    // With t = u/(1−u), the equation is r t² + 2q t + p = 0. Its roots have different signs, and both forms avoid cancellation.
     let root = (q * q - p * r).sqrt();
     let far = if q >= 0.0 { -(q + root) } else { root - q };
     let (first, second) = (far / r, p / far);

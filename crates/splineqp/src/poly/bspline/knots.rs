@@ -127,7 +127,7 @@ impl SplineSpace {
     fn push_span(&mut self, knots: &[f64], at: usize, first: usize) {
         let (start, width) = (knots[at], knots[at + 1] - knots[at]);
         let local = &knots[at + 1 - self.degree..=at + self.degree];
-        // Spans with the same knot pattern share a matrix; only the previous span is compared.
+        // Spans with the same knot pattern share a matrix. Only the previous span is compared.
         let same = self.spans.last().filter(|s| {
             let previous = &knots[at - self.degree..at + self.degree];
             (s.start + s.width - start).abs() < 1e-15

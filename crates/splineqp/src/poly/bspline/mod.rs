@@ -50,8 +50,8 @@ pub struct SplineSpace {
     degree: usize,
     dimension: usize,
     spans: Vec<Span>,
-    /// Extraction matrices with (degree+1)² entries each; entry [k*(degree+1) + i] is the Bernstein coefficient k of the local basis function i.
-    /// Uniform spans share one matrix.
+    /// Extraction matrices with (degree+1)² entries each. Entry [k*(degree+1) + i] is the Bernstein coefficient k of the local basis
+    /// function i. Uniform spans share one matrix.
     matrices: Vec<Vec<f64>>,
     /// Knots of one turn of a periodic space, in units of `unit`; empty for a clamped space. The next field is the length of the turn.
     turn: Vec<f64>,
@@ -115,7 +115,8 @@ impl SplineSpace {
         (i, (x - self.spans[i].start) / self.spans[i].width)
     }
 
-    /// Extraction matrix of a span with (degree+1)² entries; entry `[k*(degree+1) + i]` is the Bernstein coefficient k of the local basis function i.
+    /// Extraction matrix of a span with (degree+1)² entries. Entry `[k*(degree+1) + i]` is the Bernstein coefficient k of the local basis
+    /// function i.
     #[inline]
     pub fn extraction(&self, span: usize) -> &[f64] {
         &self.matrices[self.spans[span].matrix]

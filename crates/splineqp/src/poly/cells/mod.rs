@@ -20,7 +20,7 @@ pub use distance::Distance;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cells {
-    /// Values at the n + 1 ends of the cells; the last value equals the first one.
+    /// Values at the n + 1 ends of the cells. The last value equals the first one.
     values: Vec<f64>,
     /// Slopes at the ends of the cells, per length of a cell.
     slopes: Vec<f64>,

@@ -61,7 +61,7 @@ impl<'a, const N: usize> Nearest<'a, N> {
             for (k, share) in row.iter_mut().enumerate().take(j + 1) {
                 let [one, two, three, four] =
                     [1, 2, 3, 4].map(|more| bernstein::binomial(j, k) / (k + more) as f64);
-                // Parts of the length 2.
+                // The factor 0.5 divides the moments by the length 2 of the range.
                 let value = 0.5 * (one - 3.0 * three + 2.0 * four);
                 let slope = 0.5 * (two - 2.0 * three + four);
                 *share = if k % 2 == 0 {
@@ -170,7 +170,7 @@ fn part_of(b: &[f64; 4], range: (f64, f64)) -> Ends {
     [c[0], 3.0 * (c[1] - c[0]), c[3], 3.0 * (c[3] - c[2])]
 }
 
-/// Sums over cells with the given values and slopes at their ends. The first end is at x = `first`; the width of a cell is `step`.
+/// Sums over cells with the given values and slopes at their ends. The first end is at x = `first`, and the width of a cell is `step`.
 fn sums<const N: usize>(values: &[f64], slopes: &[f64], first: f64, step: f64) -> Sums<N> {
     let n = values.len() - 1;
     let last = first + n as f64 * step;

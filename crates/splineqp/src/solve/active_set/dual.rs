@@ -29,8 +29,8 @@ pub struct Dual<'a> {
     /// Number of steps so far. The next field is the maximum number of steps.
     pub steps: usize,
     most_steps: usize,
-    /// Squared length of the part of a normal outside the span of the active planes, relative to the squared length of the normal, below
-    /// which the plane is dependent.
+    /// Threshold for linear dependence. A plane is dependent if the squared length of the component of its normal outside the span of the
+    /// active planes, divided by the squared length of the normal, is below this value.
     dependent: f64,
 }
 
@@ -49,7 +49,7 @@ pub struct Stuck {
 }
 
 impl<'a> Dual<'a> {
-    /// Creates the method without planes. It starts at the unconstrained optimum `x`; `pull` is the linear term p.
+    /// Creates the method without planes. It starts at the unconstrained optimum `x`. The vector `pull` is the linear term p.
     pub fn new(
         factor: &'a ArrowFactor,
         mut pull: Vec<f64>,

@@ -17,13 +17,14 @@ use clarabel::InteriorPoint;
 ///
 /// # Errors
 ///
-/// The limits are infeasible; the solver stops without a result.
+/// - The limits are infeasible.
+/// - The solver stops without a result.
 pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> {
     if program.seeds.is_empty() {
         return without_seeds(program);
     }
     let contacts = program.seeds.iter().filter(|r| r.limit.is_some());
-    // A limit on a size alone is one row, which no point of the law would add.
+    // A limit on further variables alone is one row. It is added here because the exchange adds rows only at points of the law.
     let mut own = Vec::new();
     program.seed_rows(&mut own);
     own.retain(|r| r.entries.iter().all(|e| e.1 == 0.0));
@@ -69,8 +70,8 @@ pub fn from_rows<N: Names>(
     // A second refinement would fail at the same contacts.
     let mut is_refinable = program.rms.is_empty() && refine::is_wanted(program);
     let mut best: Option<Solution<N>> = None;
-    // Margin inside every limit for the residual of the solver. It is increased only if necessary. With a cone there is no refinement, so the margin
-    // is used from the start.
+    // Margin inside every limit for the residual of the solver. It is increased only if necessary. With a cone there is no refinement, so
+    // the margin is used from the start.
     let mut margin = if !program.cones.is_empty() || !program.rms.is_empty() {
         settings.cone_margin
     } else {
@@ -83,7 +84,7 @@ pub fn from_rows<N: Names>(
         }
         let point = match (solver.solve(program, &mut rows, margin), &best) {
             (Ok(point), _) => point,
-            // With the margin there is no solution; the rows without a margin may have one.
+            // With the margin there is no solution. The rows without a margin may have one.
             (Err(_), Some(_)) if margin > 0.0 => {
                 (margin, keeps_room) = (0.0, false);
                 continue;

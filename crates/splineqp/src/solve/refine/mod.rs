@@ -9,7 +9,9 @@
 //! (H + Σ λ/(−c″) a′a′ᵀ + ε) d + Eᵀν + Aᵀλ = −(Hx + g)      E d = e − E x      A d − δ (λ − λ₀) = b − A x
 //! ```
 //!
-//! for the law and the further variables together. The active points may not determine the active rows. For example, the law equals its
+//! for the step d of the law x and the further variables together. Here ν and λ are the new multipliers of the equalities E x = e and of
+//! the active rows A x ≤ b, and λ₀ are the previous ones. The rows of A are aᵀ, a′ is the derivative of a with respect to the angle, and c″
+//! is the second derivative of the limit's left side. The active points may not determine the active rows. For example, the law equals its
 //! bound on a whole range, or there are more active points than unknowns. A step is then a quadratic program with all rows near their
 //! bounds, and rows at violated points are added. The proximal terms ε and δ fix the directions that the objective and the active points do
 //! not determine. They do not change the result.
@@ -347,7 +349,7 @@ impl<'a, N: Names> Contacts<'a, N> {
                 rows.push(row.clone());
             }
         }
-        // A limit on variables alone is one row, which no point of the law would add.
+        // A limit on further variables alone is one row. It is added here because points of the law give only rows of other limits.
         for (index, limit) in program.limits.iter().enumerate() {
             if limit.is_on_variables_alone() && !rows.iter().any(|r| r.limit == Some(index)) {
                 rows.push(program.row(index, Peak::default()));

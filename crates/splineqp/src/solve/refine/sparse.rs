@@ -10,7 +10,8 @@ const CORRECTIONS: usize = 2;
 /// Ordering of the unknowns in `rsparse`; 0 is minimum degree for the pattern of A + Aᵀ.
 const ORDERING: i8 = 0;
 
-/// Solution of A y = b. The lower triangle of A is given as (row, column, value); values at the same position are added. `None` if A is singular.
+/// Solution of A y = b. The lower triangle of A is given as (row, column, value). Values at the same position are added. `None` if A is
+/// singular.
 pub fn symmetric_solution(lower: &[(usize, usize, f64)], b: &[f64]) -> Option<Vec<f64>> {
     // The ordering needs two unknowns.
     if let [b] = b {
