@@ -27,7 +27,8 @@ pub(crate) const RESONANCE: f64 = 1e-9;
 #[derive(strum::IntoStaticStr, strum::VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum DriveKind {
-    /// Moving axis: the shaft block with the cam moves, and the cam rolls on a plate: F = M(g + ω²a) (Campillo de Blas 2017, eq. 22).
+    /// Moving axis: the shaft block with the cam moves, and the cam rolls on a plate. The force is F = M(g + ω²a) (Campillo de Blas 2017,
+    /// eq. 22).
     MovingAxis,
     /// Fixed axis: the cam turns in a fixed bearing and lifts a follower with spring, preload, damping and mass.
     FixedAxis,
@@ -146,7 +147,7 @@ impl Drive {
         [self.mass, self.spring_rate, self.damping, self.rest_force] == [0.0; 4]
     }
 
-    /// Weights of s, v, a, j in the force: `[k, cω, mω², 0]`, N per m, m/rad, m/rad².
+    /// Weights of s, v, a, j in the force: `[k, cω, mω², 0]`. Their units are N per m, N per m/rad and N per m/rad².
     #[inline]
     pub fn weights(&self) -> [f64; 4] {
         [
@@ -181,7 +182,7 @@ impl Drive {
         (self.spring_rate - self.mass * nw * nw, self.damping * nw)
     }
 
-    /// Harmonic n of the lift, m, that produces a harmonic of the force, N, where harmonics are given as (cosine, sine); `None` at
+    /// Harmonic n of the lift, m, that produces the harmonic (a, b) of the force, N. Harmonics are given as (cosine, sine). `None` at
     /// resonance.
     pub(crate) fn lift_of(&self, harmonic: usize, (a, b): (f64, f64)) -> Option<(f64, f64)> {
         let (re, im) = self.gain(harmonic);
@@ -190,7 +191,7 @@ impl Drive {
         let largest = (self.spring_rate.abs())
             .max(self.mass * nw * nw)
             .max(im.abs());
-        // F = a cos + b sin = Re((a − ib) e^{ihθ}); division by the gain re + i·im.
+        // F = a cos + b sin = Re((a − ib) e^{ihθ}). The amplitude is divided by the gain re + i·im.
         let lift = ((a * re - b * im) / square, (b * re + a * im) / square);
         (square.sqrt() > RESONANCE * largest).then_some(lift)
     }

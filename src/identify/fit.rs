@@ -102,7 +102,7 @@ pub(super) fn fit(columns: &[Column], runs: &[Averaged], shifts: &[Shift], start
     for _ in 0..if shifts.is_empty() { 0 } else { STEPS } {
         let model = solver.model(&values);
         let left = difference(&stack.means(&at), &model);
-        // Part of the effect of the shifts that the free columns cannot represent.
+        // Gauss–Newton step: a joint least-squares fit of the free columns and of the derivatives with respect to the shifts.
         let free = (0..values.len()).filter(|i| solver.is_free(&values, *i));
         let mut used: Vec<Vec<f64>> = free.map(|i| solver.scaled(i)).collect();
         let count = used.len();

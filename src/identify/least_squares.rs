@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// Fraction of the maximum singular value below which a singular value counts as zero; columns are normalised.
+/// Fraction of the maximum singular value below which a singular value counts as zero. It applies to normalised columns.
 const RANK: f64 = 1e-9;
 
 /// One column of the linear model: the effect of one unknown on all data.

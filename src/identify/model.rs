@@ -12,7 +12,7 @@ use crate::synth::Design;
 
 /// Number of equally spaced cam angles per turn.
 pub(super) const ANGLES: usize = 720;
-/// Fraction of the maximum speed of the follower below which the follower is at rest.
+/// Fraction of the maximum speed of the follower below which the follower counts as at rest.
 const RESTS: f64 = 1e-6;
 
 /// Motion of the cam, at equally spaced angles.
@@ -79,7 +79,7 @@ impl Clock {
         }
     }
 
-    /// First `count` harmonics `[a₀, a₁, b₁ …]` over the phase, of values at the cam angles.
+    /// First `count` coefficients `[a₀, a₁, b₁ …]` of the harmonic series in the phase, for values given at the cam angles.
     pub fn harmonics(&self, values: &[f64], count: usize) -> Vec<f64> {
         let mut out = vec![0.0; count];
         for ((phase, part), x) in self.phase.iter().zip(&self.part).zip(values) {
@@ -115,7 +115,7 @@ pub(super) fn angle(i: usize) -> f64 {
     TAU * i as f64 / ANGLES as f64
 }
 
-/// A parameter of the machine or of the log, with its effect on the force.
+/// A parameter of the machine or of the log. Its effect is its contribution to the force per unit of the parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Term {
     /// Key of the parameter in the scene. Parameters without a key have a name such as `log.bias`.
@@ -208,7 +208,8 @@ pub(super) fn terms(design: &Design, scene: &Scene) -> Vec<Term> {
 pub(super) struct Machine<'a> {
     pub design: &'a Design,
     pub clock: &'a Clock,
-    /// Spring rate per unit of the fitted parameter: 1, or for a hydraulic drive the spring rate per pressure per volume.
+    /// Spring rate per unit of the fitted parameter. It is 1 for a spring. For a hydraulic drive, it is the spring rate divided by the
+    /// pressure per volume P/V.
     spring_unit: f64,
     /// Gravitational acceleration g, m/s².
     gravity: f64,

@@ -85,8 +85,8 @@ pub(super) fn next_run(
     best
 }
 
-/// Jacobian of a run, and the minimum force of the run, N. The columns belong to the parameters and to `count` unknown phase shifts. `rate` gives
-/// the phase delay per unit of a shift, rad. The rows are the harmonics of the log `place`.
+/// Jacobian of a run, and the minimum force of the run, N. The columns belong to the parameters and to `count` unknown phase shifts. `rate`
+/// gives the phase delay per unit of a shift, rad. The rows are the harmonics of the mean cycle, as many as for the log `place`.
 fn jacobian(
     design: &Design,
     scene: &Scene,

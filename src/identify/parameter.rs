@@ -26,7 +26,7 @@ pub struct Parameter {
     pub low: Option<f64>,
     /// Upper end of the 95 % confidence interval; `None` if unbounded.
     pub high: Option<f64>,
-    /// Whether the logs identify the parameter.
+    /// Whether the logs identify the parameter. The interval of an identified parameter excludes 0 and is not wider than half the value.
     pub identifiable: bool,
 }
 

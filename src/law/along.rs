@@ -96,7 +96,7 @@ mod tests {
         for law in [double, harmonic] {
             for n in [1, 7, 720, 1001] {
                 let even = (0..n).map(|i| TAU * f64::from(i) / f64::from(n));
-                // Breaks themselves, too.
+                // The breaks themselves are also tested.
                 let mut angles: Vec<f64> = even.chain(law.breaks().iter().copied()).collect();
                 angles.retain(|theta| *theta < TAU);
                 angles.sort_by(f64::total_cmp);

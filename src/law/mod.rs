@@ -56,9 +56,9 @@ pub struct Law {
     cache: Cache,
 }
 
-/// Number of spans from which the derivatives of a closed spline have their own coefficients. If the jerk is computed from the lift's coefficients,
-/// its rounding error is larger by a factor of (spans per turn)³. With fewer spans, all of several hundred random scenes were certified; with 40 to
-/// 100 spans, 1 in 40 was not.
+/// Minimum number of spans for which the derivatives of a closed spline have their own coefficients. If the jerk is computed from the
+/// lift's coefficients, its rounding error is larger by a factor of (spans per turn)³. Without own coefficients, all of several hundred
+/// random designs with fewer spans were certified. With 40 to 100 spans, 1 design in 40 was not certified.
 pub(crate) const MANY_SPANS: usize = 40;
 
 impl Law {
@@ -162,7 +162,7 @@ impl Law {
         self.waves.get(i).map_or(&[], Vec::as_slice)
     }
 
-    /// Whether the law is periodic; its period is its extent.
+    /// Whether the law is periodic. The period of a periodic law is its extent.
     pub fn is_closed(&self) -> bool {
         self.closed
     }

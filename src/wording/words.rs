@@ -39,7 +39,7 @@ impl Words {
         }
     }
 
-    /// A number with a fixed number of decimals and the decimal separator of the language; zero has no sign.
+    /// A number with a fixed number of decimals and the decimal separator of the language. Zero has no sign.
     pub fn fixed(&self, value: f64, decimals: usize) -> String {
         self.0.fixed(value, decimals)
     }
@@ -67,7 +67,7 @@ impl Words {
         range(self.language(), low, high)
     }
 
-    /// A length in m, displayed in the unit of lengths; values below a picometre are 0.
+    /// A length in m, displayed in the unit of lengths. Values below a picometre are displayed as 0.
     pub fn length(&self, length: f64) -> String {
         let length = if length.abs() < 1e-12 { 0.0 } else { length };
         quantity(self.language(), length, "m")

@@ -106,7 +106,7 @@ impl End {
         "nothing but a general polynomial",
     ];
 
-    /// Segment that adjoins this end with continuous v and a.
+    /// Segment that can adjoin this end with continuous v and a, as an English phrase from [`End::JOINS`].
     pub fn joins(&self) -> &'static str {
         End::JOINS[self.kind()]
     }
@@ -155,7 +155,7 @@ pub struct Factors {
     pub cv: f64,
     /// Peak acceleration Ca: maximum of |a|.
     pub ca: f64,
-    /// Peak jerk Cj: maximum of |j|; infinite if the acceleration jumps between the ends.
+    /// Peak jerk Cj: maximum of |j|. It is infinite if the acceleration jumps between the ends.
     pub cj: f64,
     /// Factor Ct of the inertia torque: maximum of |a·v|.
     pub ct: f64,
@@ -163,6 +163,6 @@ pub struct Factors {
     pub v: (f64, f64),
     /// Minimum and maximum acceleration.
     pub a: (f64, f64),
-    /// Minimum and maximum jerk inside the spans; jumps of the acceleration are not included.
+    /// Minimum and maximum jerk inside the spans. Jumps of the acceleration are not included.
     pub j: (f64, f64),
 }

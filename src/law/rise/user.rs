@@ -42,7 +42,11 @@ impl Rise {
     ///
     /// # Errors
     ///
-    /// Too few rows; numbers that are not finite; x values that do not increase; a table whose last lift equals its first.
+    /// - The table has too few rows.
+    /// - A number is not finite.
+    /// - The x values do not increase.
+    /// - The last lift equals the first lift.
+    /// - The spacing of the x values does not permit a spline.
     pub fn table(name: &str, rows: &[(f64, f64)], rest: bool) -> Result<Rise> {
         let table = name.to_string();
         if rows.len() < 2 {
@@ -91,8 +95,8 @@ impl Rise {
         }
     }
 
-    /// Acceleration that the rounding of the rows can add to a normalised rise. It is the acceleration of a wave with the rounding error as amplitude
-    /// and the minimum step as half wavelength. 0 for motions without rows.
+    /// Acceleration that the rounding of the rows can add to a normalised rise. It is the peak acceleration of a wave. The amplitude of the
+    /// wave is the rounding error, and its half wavelength is the minimum step of x. 0 for motions without rows.
     pub(crate) fn rounded_acceleration(&self) -> f64 {
         let Rise::User { rows, rounding, .. } = self else {
             return 0.0;
@@ -153,7 +157,7 @@ fn through(points: &[(f64, f64)], rest: bool) -> Option<PiecewisePoly> {
         }));
         return hermite_birkhoff(&conditions, 0.0, 1.0).ok();
     }
-    // Not-a-knot: the two inner points next to each end have no knot, which saves the four conditions.
+    // Not-a-knot: the two inner points next to each end are not knots. Four end conditions are therefore unnecessary.
     let inner = if rest {
         &points[1..n - 1]
     } else {
