@@ -30,7 +30,7 @@ pub(super) struct Clock {
 }
 
 impl Clock {
-    /// Motion of the cam, from the measured speed of the log. Without a measured speed, the variation of the speed is that of the design, scaled to
+    /// Motion of the cam, from the measured speed of the log. Without a measured speed, the speed varies as in the design and is scaled to
     /// the mean speed of the log.
     pub fn of(design: &Design, cycles: &Cycles) -> Clock {
         let mean = cycles.speed;
@@ -147,7 +147,8 @@ pub(super) enum Effect {
     Compliance,
 }
 
-/// Terms of the model for a machine and its log: the parameters in the scene, the friction of the guide, and the zero of the load cell.
+/// Terms of the model for a machine and its log. They are parameters in the scene, the friction of the guide, and the zero offset of the
+/// load cell.
 pub(super) fn terms(design: &Design, scene: &Scene) -> Vec<Term> {
     let drive = &design.problem.drive;
     let on_arm = design.cam.follower.is_oscillating();

@@ -42,8 +42,8 @@ const ROUNDS: usize = 2;
 pub struct Recut {
     /// RMS difference between repeatable force and target, N. On a moving axis, the mean is excluded because it is the weight.
     pub before_rms_n: f64,
-    /// Predicted RMS force error of the new cam, N. It contains the remaining noise, the effect of the limits, the harmonics that are not
-    /// corrected, and the friction, whose sign changes at other angles than before.
+    /// Predicted RMS force error of the new cam, N. It contains the remaining noise, the effect of the limits and the harmonics that are
+    /// not corrected. It also contains the friction, which changes its sign at other angles than before.
     pub predicted_rms_n: f64,
 }
 

@@ -6,8 +6,8 @@ use super::{Law, Svaj};
 const TOGETHER: usize = 8;
 
 impl Law {
-    /// Lift and derivatives at several ascending angles within the extent of the law, rad. The results are bitwise identical to those of
-    /// [`Law::svaj`].
+    /// Lift and derivatives at several ascending angles within the extent of the law, rad. The results equal the results of [`Law::svaj`]
+    /// bit by bit.
     pub(crate) fn svaj_along(&self, angles: &[f64]) -> Vec<Svaj> {
         let breaks = self.breaks();
         let mut out = Vec::with_capacity(angles.len());

@@ -190,8 +190,8 @@ impl Law {
         self.svaj_on(i, u)
     }
 
-    /// Span that contains an angle, and the position u ∈ [0, 1] on this span. At a break, and within rounding errors before it, the next span is
-    /// used. All rows of all tables are therefore on the same side of a jump.
+    /// Span that contains an angle, and the position u ∈ [0, 1] on this span. At a break, and within rounding errors before it, the next
+    /// span is used. All tables therefore contain the values on the same side of a jump.
     fn place(&self, theta: f64) -> (usize, f64) {
         let (i, u) = self.poly.locate(theta);
         let breaks = self.poly.breaks();

@@ -99,7 +99,7 @@ fn spanish_names(known: &[&'static str]) -> Vec<(String, &'static str)> {
 }
 
 /// The known word with the name that is most similar to a typed name. `None` if no name is similar. The typed name is compared first with
-/// the words, then with the parts of their names in both languages, and then with the complete names.
+/// the words, then with the parts of their names in both languages. Finally, it is compared with the complete names.
 pub(crate) fn nearest_in_languages(typed: &str, known: &[&'static str]) -> Option<&'static str> {
     if let Some(word) = nearest(typed, known.iter().copied()) {
         return Some(word);

@@ -46,8 +46,8 @@ impl Arcs {
             let widest = libm::acos((1.0 - distance / radius).clamp(-1.0, 1.0));
             let parts = (half.abs() / widest).ceil().max(1.0);
             for k in 1..parts as usize {
-                // The point at the fraction f of the arc has the distance sin(f h)/sin(h) chords from the start. Its direction is that of the chord,
-                // rotated by (f − 1) h.
+                // The point at the fraction f of the arc has the distance sin(f h)/sin(h) chords from the start. Its direction is the
+                // direction of the chord, rotated by (f − 1) h.
                 let along = k as f64 / parts * half;
                 let (long, (sin, cos)) = (
                     libm::sin(along) / libm::sin(half),

@@ -1,4 +1,4 @@
-//! Additions to drawings of the outline: names of layers, marks, and the arrow of rotation.
+//! Additions to drawings of the outline: identifiers of layers, marks, and the arrow of rotation.
 
 use gaitcam::synth::Design;
 

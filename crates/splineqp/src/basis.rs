@@ -1,4 +1,4 @@
-//! Basis functions of a law, and linear functionals of a law as rows of weights of its coefficients.
+//! Basis functions of a law. A linear functional of a law is stored as a row of weights, one for each coefficient.
 
 use crate::poly::{PiecewisePoly, SplineSpace, Wave, add_taylor, subdivide};
 use std::f64::consts::TAU;

@@ -51,8 +51,8 @@ pub struct Certificate {
     /// Objective minus a lower bound over all laws, relative to the size of the objective. It exceeds the relative gap if the law results
     /// from a sequence of convex programs, which prove only a local optimum. `None` if no such bound is known.
     pub global_gap: Option<f64>,
-    /// Size of the objective: the larger of its value and a millionth of the sum of its terms. The latter is an estimate of the rounding
-    /// error.
+    /// Size of the objective. It is the larger of two numbers: the value of the objective, and a millionth of the sum of its terms. The
+    /// second number estimates the rounding error.
     pub size: f64,
     /// Maximum entry of the gradient of the Lagrangian, relative to the largest term of this gradient.
     pub stationarity: f64,
@@ -234,7 +234,8 @@ fn objective_size<N: Names>(program: &Program<N>, x: &[f64], extra: &Values) -> 
         .sum();
     let costs = || program.cost.iter();
     let beside: f64 = costs().map(|(k, cost)| (cost * extra[k]).abs()).sum();
-    // The typical value of a variable and the scale of the limits with the peak also count as terms, even if the variable or the peak is 0.
+    // The typical value of a variable counts as a term even if the variable is 0. The scale of the limits with the peak counts in the same
+    // way.
     let sizes = costs().filter(|(k, _)| *k != PEAK);
     let sizes = sizes.map(|(k, cost)| cost.abs() * program.typical(k));
     let peaks = program.limits.iter().filter(|l| l.is_peak());

@@ -8,7 +8,7 @@ use crate::Names;
 
 /// Optimum subject to the equalities only, with the factorised Hessian.
 pub struct Unlimited {
-    /// H, made positive definite by multiples of the outer products of the equalities.
+    /// H, made positive definite by adding multiples of the outer products of the equalities.
     pub hessian: ArrowMatrix,
     /// Cholesky factor of the Hessian.
     pub factor: ArrowFactor,
@@ -184,8 +184,8 @@ fn correct<N: Names>(
     }
 }
 
-/// Indices of the rows of a symmetric matrix in the order of the pivots of its Cholesky factor. The second list contains the rows whose
-/// pivots would be below `dependent`.
+/// Indices of the rows of a symmetric matrix, ordered by the pivots of its Cholesky factor. The second list contains the rows whose pivots
+/// would be below `dependent`.
 fn by_pivots(mut s: Vec<Vec<f64>>, dependent: f64) -> (Vec<usize>, Vec<usize>) {
     let mut order: Vec<usize> = (0..s.len()).collect();
     for p in 0..s.len() {

@@ -54,7 +54,8 @@ settings! {
         light_pin: f64 = 1e-6,
         /// Curvature of the objective along the constant function, relative to the maximum, below which the level of the law is free.
         level_is_free: f64 = 1e-10,
-        /// Sum of the entries of an equality, relative to the sum of their magnitudes, above which the equality fixes the level.
+        /// Threshold for equalities that fix the level. Such an equality has a sum of entries, divided by the sum of their magnitudes,
+        /// above this value.
         fixes_level: f64 = 1e-6,
     }
 
@@ -77,10 +78,11 @@ settings! {
         progress: f64 = 0.9,
         /// Number of iterations without progress after which the method ends.
         patience: usize = 4,
-        /// Threshold for linear dependence. A row counts as dependent if the squared length of its component outside the span of the active
-        /// rows, divided by the squared length of the row, is below this value.
+        /// Threshold for linear dependence. A row is split into a component in the span of the active rows and the remaining component. It
+        /// counts as dependent if the squared length of the remaining component is below this fraction of the squared length of the row.
         dependent: f64 = 1e-13,
-        /// Distance between a new row and an old row of the same limit, as a fraction of the piece, below which the new row replaces the
+        /// Distance of a new row from an old row of the same limit, as a fraction of the piece, below which the new row replaces the old
+        /// one.
         /// old one.
         coincident: f64 = 1e-5,
         /// Maximum number of refinements by Newton's method in the iterations.
@@ -93,7 +95,7 @@ settings! {
 
     /// Settings of the proximal method for minimax objectives.
     ProximalSettings {
-        /// Initial weight ε of the change of the law in a proximal step, relative to the weight of the change of the peak.
+        /// Initial weight ε. It is the weight of the change of the law in a proximal step, divided by the weight of the peak's change.
         nearness: f64 = 1e-2,
         /// Minimum of the weight ε.
         least_nearness: f64 = 1e-9,
@@ -103,8 +105,8 @@ settings! {
         heavier: f64 = 100.0,
         /// Ratio of the actual to the predicted decrease of the peak above which a law becomes the next centre.
         kept: f64 = 0.3,
-        /// The weight ε is no longer reduced if the lower bound differs from the predicted peak with the present rows by at most this
-        /// fraction of the permitted gap. Only further rows are then necessary.
+        /// Fraction of the permitted gap. If the lower bound and the predicted peak with the present rows differ by less, ε is not reduced.
+        /// Only further rows are then necessary.
         proved: f64 = 0.3,
         /// Maximum relative violation of the other limits for which laws are compared by their peaks alone.
         compared: f64 = 1e-4,
@@ -122,7 +124,7 @@ settings! {
         rough: f64 = 1e-6,
         /// First step of ln p. Each further step is twice the previous step.
         peak_step: f64 = 0.2,
-        /// First step of ln μ, relative to the logarithm of the ratio of the root mean square to its limit.
+        /// First step of ln μ, divided by |ln(root mean square/limit)|. The first step is at most 1.
         step: f64 = 4.0,
         /// Minimum first step of ln μ. Each further step is four times the previous step.
         least_step: f64 = 1e-6,
@@ -195,8 +197,9 @@ settings! {
         steps_per_unknown: usize = 10,
         /// Excess below which a plane of the quadratic program is satisfied.
         step_resolved: f64 = 1e-14,
-        /// Threshold for linear dependence. A plane counts as dependent if the squared length of the component of its normal outside the
-        /// span of the active planes, divided by the squared length of the normal, is below this value.
+        /// Threshold for linear dependence. The normal of a plane is split into a component in the span of the active planes' normals and
+        /// the remaining component. The plane counts as dependent if the squared length of the remaining component is below this fraction
+        /// of the normal's squared length.
         dependent: f64 = 1e-25,
         /// Violation of a dependent plane below which the violation is a rounding error.
         rounding: f64 = 1e-9,
@@ -216,7 +219,8 @@ settings! {
         /// Initial margin of programs with second-order cones or root-mean-square limits, as a fraction of the scale of each limit. This
         /// margin exceeds the residual of the solver, since these programs are not refined.
         cone_margin: f64 = 1e-7,
-        /// Distance between a new row and an old row of the same limit, as a fraction of the piece, below which the new row replaces the
+        /// Distance of a new row from an old row of the same limit, as a fraction of the piece, below which the new row replaces the old
+        /// one.
         /// old one.
         coincident: f64 = 1e-4,
         /// Gap and feasibility tolerance of the interior-point method. With smaller tolerances, some fits end with the status "insufficient
@@ -231,10 +235,11 @@ settings! {
         /// Objective, relative to the sum of its terms, below which it counts as a rounding error. It corresponds to a force error of a
         /// thousandth of the force.
         least_objective: f64 = 1e-6,
-        /// Magnitude of xᵀr, relative to the objective, up to which it is part of the gap. A larger xᵀr is replaced by ½rᵀH⁻¹r.
+        /// Maximum magnitude of xᵀr, relative to the objective, for which xᵀr is part of the gap. A larger xᵀr is replaced by ½rᵀH⁻¹r.
         small: f64 = 1e-9,
-        /// Squared length of the part of an equality's row outside the span of the other equalities, relative to the squared length of the
-        /// row, below which the equality counts as dependent.
+        /// Threshold for linear dependence. The row of an equality is split into a component in the span of the other equalities and the
+        /// remaining component. The equality counts as dependent if the squared length of the remaining component is below this fraction of
+        /// the row's squared length.
         dependent: f64 = 1e-20,
     }
 }

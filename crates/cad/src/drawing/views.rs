@@ -26,7 +26,8 @@ const ARROW: [f64; 2] = [0.12, 0.5];
 /// Number of points on the edge of the bore, without the corners of the keyway.
 const EDGE: usize = 180;
 
-/// Positions of the labels: side (1 right, −1 left), and height above the centre as a fraction of the half height of a column of labels.
+/// Positions of the labels. The first number is the side (1 right, −1 left). The second number is the height above the centre, as a
+/// fraction of the half height of a column of labels.
 const SLOTS: [[f64; 2]; 8] = [
     [1.0, 0.3],
     [-1.0, 0.3],
@@ -141,8 +142,8 @@ impl<'a> Views<'a> {
         }
     }
 
-    /// Index of the free label position that is nearest to the point `p`. Positions below the height `from`, a fraction of the half height of a
-    /// column of labels, are not considered.
+    /// Index of the free label position that is nearest to the point `p`. Positions below the height `from` are not considered. `from` is a
+    /// fraction of the half height of a column of labels.
     fn nearest(&self, free: &[[f64; 2]], p: [f64; 2], from: f64) -> Option<usize> {
         let far = |k: usize| {
             let [x, y] = self.slot(free[k]);

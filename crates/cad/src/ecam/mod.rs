@@ -292,7 +292,7 @@ impl Replayed {
     };
 }
 
-/// Compares the executed motion with the law and, if there is one, with the target force.
+/// Compares the executed motion with the law and, if the design has a target force, with this force.
 fn held_against(design: &Design, motion: &Law) -> Replayed {
     let law = &design.cam.law;
     let (start, length) = law.extent();
@@ -393,8 +393,8 @@ mod tests {
     use super::*;
     use gaitcam::scene::built_in;
 
-    /// Errors from an independent integration, in which a table of positions is rounded to 1 µm and interpolated by cubics: 4.5, 72 and 477 % of
-    /// the weight for 360, 1440 and 3600 points.
+    /// The errors come from an independent integration. It rounds a table of positions to 1 µm and interpolates it by cubics. The errors
+    /// are 4.5, 72 and 477 % of the weight for 360, 1440 and 3600 points.
     #[test]
     fn a_table_rounded_to_a_micrometre_is_worse_with_more_points() {
         let design = built_in("footbridge")

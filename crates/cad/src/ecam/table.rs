@@ -11,7 +11,8 @@ const ROUNDED: f64 = 64.0;
 /// Difference between the two sides of a joint, relative to the column's maximum, below which it counts as a rounding error.
 const SAME: f64 = 1e-9;
 
-/// Point of the cam, with the derivatives of the follower's position with respect to the cam's position, in the units of the file.
+/// Point of the cam, in the units of the file. The derivatives are derivatives of the follower's position with respect to the cam's
+/// position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Node {
     /// Position of the cam (master), degrees or mm.

@@ -31,7 +31,8 @@ pub fn path(edge: &Edge, tool: f64, lead: Lead) -> Option<Path> {
     let arcs = biarc::along(edge, ARCS)?;
     let mut ends = arcs.vertices;
     if arcs.closed {
-        // The path starts at the farthest point: the whole cam is on one side of the tangent there, so the leads are free of interference.
+        // The path starts at the farthest point. The whole cam is on one side of the tangent at this point, so the leads do not touch the
+        // cam.
         let far = |v: &[f64; 3]| libm::hypot(v[0], v[1]);
         let start = (0..ends.len()).max_by(|&a, &b| far(&ends[a]).total_cmp(&far(&ends[b])))?;
         ends.rotate_left(start);

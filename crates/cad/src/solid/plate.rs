@@ -22,8 +22,8 @@ pub struct Plate {
 
 /// Surface of the plate.
 ///
-/// Every vertex of the profile is connected with the point of the bore on the same ray from the centre (without a bore: with the centre). The faces
-/// are therefore wedges that cannot overlap.
+/// Every vertex of the profile is connected with the point of the bore on the same ray from the centre. Without a bore, it is connected
+/// with the centre. The faces are therefore wedges that cannot overlap.
 ///
 /// # Errors
 ///

@@ -1,5 +1,5 @@
-//! Interpolation of points by clamped cubic B-splines. The end conditions are of the type "not a knot": the first two spans have the same cubic
-//! polynomial, and so have the last two spans.
+//! Interpolation of points by clamped cubic B-splines. The end conditions are of the type "not a knot". The first two spans therefore have
+//! the same cubic polynomial. The last two spans also have the same cubic polynomial.
 
 use std::ops::Range;
 

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 /// Piecewise polynomial on `breaks[0] ..= breaks[n]`. Each piece is in Bernstein form on its interval.
 ///
-/// The pieces need not be continuous at the breaks. At a break, the value is that of the piece to its right.
+/// The pieces need not be continuous at the breaks. At a break, the piece to its right determines the value.
 ///
 /// ```
 /// use splineqp::poly::PiecewisePoly;

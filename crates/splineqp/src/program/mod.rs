@@ -59,7 +59,7 @@ pub struct Program<N: Names> {
     /// Row for the value of the law at the reference angle. Limits with `from_reference` measure the law from this value; `None` if they
     /// measure it from zero.
     pub reference: Option<Entries>,
-    /// Rows that do not belong to a limit, such as those of a linearised curvature. These rows are kept in every iteration.
+    /// Rows that do not belong to a limit, such as the rows of a linearised curvature. These rows are kept in every iteration.
     pub fixed: Vec<Row<N>>,
     /// Initial rows of the exchange, such as the active rows of a similar program.
     pub seeds: Vec<Row<N>>,
@@ -196,8 +196,8 @@ impl<N: Names> Program<N> {
         self.reference = Some(self.basis.row(angle, &[1.0, 0.0, 0.0, 0.0]));
     }
 
-    /// Coefficients of the value of the law at the reference angle, if the limit is relative to this value; `None` if the limit is relative
-    /// to zero.
+    /// Row for the value of the law at the reference angle, if the limit is relative to this value. `None` if the limit is relative to
+    /// zero.
     pub fn reference_of(&self, limit: &Limit<N>) -> Option<&Entries> {
         self.reference.as_ref().filter(|_| limit.from_reference)
     }

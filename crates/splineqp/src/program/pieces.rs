@@ -199,7 +199,8 @@ impl Curve {
     }
 }
 
-/// Spline coefficients in cyclic order, with the first ones repeated, so that the coefficients of each span are contiguous.
+/// Spline coefficients in cyclic order. The first coefficients are repeated at the end, so that the coefficients of each span are
+/// contiguous.
 fn around(space: &SplineSpace, x: &[f64]) -> Vec<f64> {
     let mut around = Vec::with_capacity(space.dimension() + space.degree());
     around.extend_from_slice(&x[..space.dimension()]);

@@ -19,7 +19,7 @@ impl<N: Names> Program<N> {
         of_means.fold(of_limits.max(0.0), f64::max)
     }
 
-    /// Local maxima of the left sides of limits that exceed the bound, or are below it by less than the fraction `near` of the scale.
+    /// Local maxima of the left sides of limits that exceed the bound, or are below the bound by less than `near` times the scale.
     pub fn peaks_near(&self, x: &[f64], extra: &Values, near: f64) -> Vec<(usize, Peak)> {
         let mut out = Vec::new();
         let level = |limit: &Limit<N>| {

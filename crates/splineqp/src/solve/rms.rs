@@ -28,7 +28,7 @@ use crate::program::{
 };
 use crate::solve::exchange;
 
-/// Lower bound of the ratio of the root mean square to its limit, so that the logarithm of the ratio is finite.
+/// Lower bound of the root mean square divided by its limit. It keeps the logarithm of this ratio finite.
 const SMALL: f64 = 1e-2;
 
 /// Iterate of the search: optimum for a weight or for a peak.

@@ -17,7 +17,7 @@ pub fn roots(b: &[f64]) -> Vec<f64> {
 pub fn add_roots(b: &[f64], out: &mut Vec<f64>) {
     let scale = b.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     if scale > 0.0 && scale.is_finite() {
-        // Coefficients below this value are rounding errors of the larger ones and count as zero.
+        // Coefficients below this value are rounding errors of larger coefficients and count as zero.
         let zero = scale * 4.0 * f64::EPSILON;
         match *b {
             [p, q] if p * q < 0.0 => out.push(p / (p - q)),
@@ -240,8 +240,7 @@ mod tests {
 
     #[test]
     fn chebyshev_of_degree_twenty_has_its_twenty_roots() {
-        // T_20(2u − 1) by its power recurrence would lose digits; Bernstein coefficients are known:
-        // (−1)^(n−k) C(2n, 2k)/C(n, k).
+        // The power recurrence of T_20(2u − 1) would lose digits. The Bernstein coefficients are known: (−1)^(n−k) C(2n, 2k)/C(n, k).
         let n = 20;
         let b: Vec<f64> = (0..=n)
             .map(|k| {

@@ -138,7 +138,7 @@ impl SplineSpace {
         self.dimension == self.spans.len() && self.spans.iter().all(alike)
     }
 
-    /// Converts weights of the Bernstein coefficients of a span to weights of its local basis functions.
+    /// Converts weights of the Bernstein coefficients to weights of the local basis functions, for one span.
     pub fn pull_back(&self, span: usize, bernstein_weights: &[f64], out: &mut [f64]) {
         out.fill(0.0);
         let rows = self.extraction(span).chunks_exact(self.degree + 1);
@@ -149,8 +149,8 @@ impl SplineSpace {
         }
     }
 
-    /// Weights of the local basis functions of a span for the value of Σ wₖ dᵏs/dxᵏ of a spline s at the position u ∈ [0, 1] of the span.
-    /// The wₖ are `weights`.
+    /// Value of Σ wₖ dᵏs/dxᵏ at the position u ∈ [0, 1] of a span, as weights of the local basis functions. The wₖ are `weights`, and s is
+    /// the spline.
     pub fn row(&self, span: usize, u: f64, weights: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; self.degree + 1];
         self.values(span, &[u], weights, &mut out);

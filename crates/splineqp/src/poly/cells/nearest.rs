@@ -8,8 +8,9 @@ const SAME: f64 = 1e-11;
 
 impl Cells {
     /// Least-squares approximation of the function by a polynomial of degree `degree` on every range between breaks of the first period.
-    /// The result contains the values of the polynomials at the degree + 1 nodes of [`gauss_legendre`], range by range. Integrals with
-    /// polynomials of this degree equal those of the function itself, so the discontinuities between the cells cause no error.
+    /// The result contains the values of the polynomials at the degree + 1 nodes of [`gauss_legendre`], range by range. Replacing the
+    /// function by the approximation does not change its integrals with polynomials of this degree. The discontinuities between the cells
+    /// therefore cause no error.
     ///
     /// # Panics
     ///
@@ -51,7 +52,8 @@ struct Nearest<'a, const N: usize> {
     values: [[f64; N]; N],
 }
 
-/// Four sums for each power a: Xᵃ f over both sides of all ends, Xᵃ f of the first end minus the last end, and the same two sums of Xᵃ s.
+/// Four sums for each power a. The first sum is Xᵃ f over both sides of all ends. The second sum is Xᵃ f at the first end minus Xᵃ f at the
+/// last end. The other two sums contain s instead of f.
 type Sums<const N: usize> = [[f64; 4]; N];
 
 impl<'a, const N: usize> Nearest<'a, N> {
@@ -162,7 +164,8 @@ fn places(degree: usize) -> Vec<f64> {
     rule.into_iter().map(|(u, _)| 2.0 * u - 1.0).collect()
 }
 
-/// Values and slopes at both ends of a part of a cubic cell. The slopes are those with respect to a coordinate from 0 to 1 on the part.
+/// Values and slopes at both ends of a part of a cubic cell. The slopes are derivatives with respect to a coordinate from 0 to 1 on the
+/// part.
 #[inline(always)]
 fn part_of(b: &[f64; 4], range: (f64, f64)) -> Ends {
     let mut c = [0.0; 4];

@@ -29,8 +29,9 @@ pub struct Dual<'a> {
     /// Number of steps so far. The next field is the maximum number of steps.
     pub steps: usize,
     most_steps: usize,
-    /// Threshold for linear dependence. A plane is dependent if the squared length of the component of its normal outside the span of the
-    /// active planes, divided by the squared length of the normal, is below this value.
+    /// Threshold for linear dependence. The normal of a plane is split into a component in the span of the active planes' normals and the
+    /// remaining component. The plane is dependent if the squared length of the remaining component is below this fraction of the normal's
+    /// squared length.
     dependent: f64,
 }
 

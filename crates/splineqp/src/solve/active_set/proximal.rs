@@ -224,7 +224,7 @@ impl<'a, N: Names> Search<'a, N> {
             let above = (peak - promised) * self.program.cost[PEAK] / proof.size;
             let proved = proof.stationarity <= settings.refinement.stationarity
                 && proof.relative_gap - above <= own.proved * settings.refinement.gap;
-            // Among laws that satisfy the other limits, the one with the smaller peak is better.
+            // Among laws that satisfy the other limits, the law with the smaller peak is better.
             let falls =
                 violation <= own.compared && reached.0 - peak >= own.kept * (reached.0 - promised);
             let lawful = reached.1 > settings.tolerance && violation < 0.5 * reached.1;
@@ -292,7 +292,8 @@ impl<'a, N: Names> Search<'a, N> {
         limit.scale
     }
 
-    /// Solution with the law of a step and its actual peak, the peak of the rows alone, and the points at which the law violates limits.
+    /// Solution with the law of a step and its actual peak. Also returns the peak of the rows alone, and the points at which the law
+    /// violates limits.
     fn solution(&self, at: &[f64], round: usize) -> (Solution<N>, f64, Vec<(usize, Peak)>) {
         let program = self.program;
         let x = at[..program.basis.columns()].to_vec();

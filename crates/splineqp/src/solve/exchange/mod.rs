@@ -67,7 +67,7 @@ pub fn from_rows<N: Names>(
     solver: &mut impl RowSolver<N>,
 ) -> Result<Solution<N>, Failure<N>> {
     let settings = &program.settings.exchange;
-    // A second refinement would fail at the same contacts.
+    // A second refinement would fail at the same active points.
     let mut is_refinable = program.rms.is_empty() && refine::is_wanted(program);
     let mut best: Option<Solution<N>> = None;
     // Margin inside every limit for the residual of the solver. It is increased only if necessary. With a cone there is no refinement, so

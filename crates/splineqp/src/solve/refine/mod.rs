@@ -349,7 +349,7 @@ impl<'a, N: Names> Contacts<'a, N> {
                 rows.push(row.clone());
             }
         }
-        // A limit on further variables alone is one row. It is added here because points of the law give only rows of other limits.
+        // A limit on further variables alone is one row. No point of the law gives this row, so it is added here.
         for (index, limit) in program.limits.iter().enumerate() {
             if limit.is_on_variables_alone() && !rows.iter().any(|r| r.limit == Some(index)) {
                 rows.push(program.row(index, Peak::default()));
