@@ -32,8 +32,8 @@ pub enum DriveKind {
     MovingAxis,
     /// Fixed axis: the cam turns in a fixed bearing and lifts a follower with spring, preload, damping and mass.
     FixedAxis,
-    /// Hydraulic drive: the cam displaces a piston of area A. F = (P/V)·A²·s, where P/V is the pressure per displaced volume, Pa/m³ (Vargas
-    /// and León 2024, eq. 3).
+    /// Hydraulic drive: the cam displaces a piston of area A. The force is F = (P/V)·A²·s. P/V is the pressure per displaced volume, Pa/m³
+    /// (Vargas and León 2024, eq. 3).
     Hydraulic,
 }
 
@@ -76,8 +76,8 @@ pub struct Drive {
     pub mass: f64,
     /// Cam speed ω, rad/s; positive.
     pub speed: f64,
-    /// Lever: distance from the pivot of an arm at which forces act, m; 1 for a translating follower. For an arm, every force of the drive
-    /// is stored as a moment about the pivot, N·m, which is force times lever.
+    /// Lever: distance, m, from the pivot of an arm to the point at which forces act. It is 1 for a translating follower. For an arm, every
+    /// force of the drive is stored as a moment about the pivot, N·m, which is force times lever.
     pub lever: f64,
 }
 

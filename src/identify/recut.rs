@@ -207,7 +207,7 @@ fn spread(values: &[f64], from: usize) -> f64 {
     (square - without).max(0.0).sqrt()
 }
 
-/// RMS of the repeatable part of harmonics: the variance of the noise is subtracted.
+/// RMS of the repeatable part of harmonics. The variance of the noise is subtracted from the mean square.
 fn repeated(harmonics: &[f64], noise: &[f64], from: usize) -> f64 {
     let scatter = 0.5 * noise[1..].iter().sum::<f64>() + if from == 0 { noise[0] } else { 0.0 };
     (rms(harmonics, from).powi(2) - scatter).max(0.0).sqrt()

@@ -170,8 +170,9 @@ impl Rise {
     ///
     /// # Errors
     ///
-    /// The name is unknown (with the nearest known name). Parameters are not numbers, too many or out of range. A file is given instead of numbers;
-    /// [`scene::with_motions`](crate::scene::with_motions) reads such files.
+    /// - The name is unknown. The error suggests the most similar name.
+    /// - Parameters are not numbers, too many, or out of range.
+    /// - A file is given instead of numbers. [`scene::with_motions`](crate::scene::with_motions) reads such files.
     pub fn from_name(text: &str) -> Result<Rise> {
         if let Some(file) = Rise::named_file(text) {
             let (motion, file) = ("table".to_string(), file.to_string());

@@ -1,7 +1,7 @@
 //! Approximation of the profile by circular arcs within a given tolerance.
 //!
-//! Two points of the profile, with their exact tangents, are joined by a biarc: two arcs with a common tangent where they meet. An interval whose
-//! biarc exceeds the tolerance is halved.
+//! Two points of the profile, with their exact tangents, are joined by a biarc. A biarc consists of two arcs with a common tangent where
+//! they meet. An interval whose biarc exceeds the tolerance is halved.
 
 use gaitcam::cam::Cam;
 use gaitcam::synth::{Edge, EdgePoint};
@@ -19,8 +19,8 @@ const FLAT: f64 = 1e-10;
 /// Curve of consecutive circular arcs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Arcs {
-    /// Vertices x, y (m) and the bulge of the following edge: tan of a quarter of the arc's angle, positive counter-clockwise. For an open chain, the
-    /// last bulge is 0.
+    /// Vertices x, y (m) and the bulge of the following edge. The bulge is the tangent of a quarter of the arc's angle, positive
+    /// counter-clockwise. For an open chain, the last bulge is 0.
     pub vertices: Vec<[f64; 3]>,
     /// Whether the last edge ends at the first vertex.
     pub closed: bool,

@@ -313,7 +313,7 @@ impl ArrowFactor {
     pub fn forward(&self, x: &mut [f64]) {
         let a = &self.0;
         let m = a.n - a.border;
-        // Rows of limits have few adjacent entries: everything before the first entry remains zero.
+        // Rows of limits have few adjacent entries. Everything before the first entry remains zero.
         let start = x.iter().position(|v| *v != 0.0).unwrap_or(a.n);
         let start = start.min(m);
         forward_in_band(&a.core, a.band + 1, &mut x[..m], start);

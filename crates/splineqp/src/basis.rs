@@ -254,8 +254,8 @@ fn differentiate(rows: &mut [f64], n: usize, left: usize) {
     }
 }
 
-/// Converts weights dᵢ of coefficients cᵢ with the sum 0 to weights of the steps cᵢ₊₁ − cᵢ: Σ dᵢ cᵢ = −Σ (d₀ + … + dᵢ)(cᵢ₊₁ − cᵢ). If the
-/// jerk is small relative to the stroke, the sum Σ dᵢ cᵢ would have a large relative rounding error.
+/// Converts weights dᵢ of coefficients cᵢ to weights of the steps cᵢ₊₁ − cᵢ. The sum of the dᵢ must be 0, so Σ dᵢ cᵢ = −Σ (d₀ + … +
+/// dᵢ)(cᵢ₊₁ − cᵢ). If the jerk is small relative to the stroke, the sum Σ dᵢ cᵢ would have a large relative rounding error.
 #[inline(always)]
 pub fn by_steps(weights: &mut [f64]) {
     let mut sum = 0.0;
@@ -272,7 +272,7 @@ pub fn by_steps(weights: &mut [f64]) {
 /// Converts weights of the B-splines on a span to entries with the indices of their coefficients.
 fn on_unknowns(space: &SplineSpace, span: usize, values: &[f64]) -> Entries {
     let (first, all) = (space.index(span, 0), space.dimension());
-    // With few spans, one coefficient may occur twice on a span of a periodic spline: its weights are added.
+    // With few spans, one coefficient may occur twice on a span of a periodic spline. Its weights are then added.
     if values.len() > all {
         let mut out = Entries::with_capacity(all);
         for (i, &value) in values.iter().enumerate() {

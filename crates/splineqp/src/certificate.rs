@@ -51,8 +51,8 @@ pub struct Certificate {
     /// Objective minus a lower bound over all laws, relative to the size of the objective. It exceeds the relative gap if the law results
     /// from a sequence of convex programs, which prove only a local optimum. `None` if no such bound is known.
     pub global_gap: Option<f64>,
-    /// Size of the objective. It is the larger of two numbers: the value of the objective, and a millionth of the sum of its terms. The
-    /// second number estimates the rounding error.
+    /// Size of the objective. It is the largest of three numbers: the magnitude of the objective, the sum of the magnitudes of the costs,
+    /// and a millionth of the largest term. The last number estimates the rounding error.
     pub size: f64,
     /// Maximum entry of the gradient of the Lagrangian, relative to the largest term of this gradient.
     pub stationarity: f64,
@@ -224,7 +224,8 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |m, v| m.max(v.abs()))
 }
 
-/// Size of the objective: its value, or the rounding error of its terms.
+/// Size of the objective: its magnitude, the sum of the magnitudes of the costs, or the fraction `least_objective` of its largest term. The
+/// largest of these numbers is used.
 fn objective_size<N: Names>(program: &Program<N>, x: &[f64], extra: &Values) -> f64 {
     let linear: f64 = program
         .gradient

@@ -101,7 +101,7 @@ pub(super) fn scca(b: f64, c: f64, d: f64) -> Result<Law> {
         }
     }
     let reached = s;
-    // The last break may differ from 1 by rounding errors: the shape is stretched to exactly 1.
+    // The last break may differ from 1 by rounding errors, so the shape is stretched to exactly 1.
     let mut whole = Pieces::starting_at(0.0);
     whole.push_shape(&pieces.finish(false), 1.0, 0.0, 1.0 / reached, false);
     Ok(whole.finish(false))

@@ -167,7 +167,7 @@ fn through(points: &[(f64, f64)], rest: bool) -> Option<PiecewisePoly> {
     breaks.extend(inner.iter().map(|p| p.0));
     breaks.push(1.0);
     let space = SplineSpace::clamped(TABLE_DEGREE, &breaks, &vec![1; inner.len()]);
-    // Equations in the order of their positions: the matrix is banded and totally positive, so elimination needs no pivots.
+    // The equations are in the order of their positions. The matrix is banded and totally positive, so elimination needs no pivots.
     let end = |at: f64| end_conditions.iter().filter(move |c| c.0 == at);
     let lift = |p: &(f64, f64)| (p.0, 0, p.1);
     let rows = points[..1]

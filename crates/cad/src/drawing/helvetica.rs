@@ -22,7 +22,7 @@ pub struct Glyph {
     width: u16,
 }
 
-/// Characters that are taken from Symbol: character, code, width in thousandths of an em.
+/// Characters that are taken from Symbol. An entry contains the character, its code, and its width in thousandths of an em.
 const SYMBOLS: [(char, u8, u16); 14] = [
     ('−', 0x2d, 549),
     ('Δ', b'D', 612),

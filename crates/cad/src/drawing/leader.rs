@@ -94,7 +94,8 @@ pub fn bore(bore: &Bore, words: &Labels) -> [String; 2] {
     [words.text("drawing-bore"), size]
 }
 
-/// Text of the label for the keyway, two lines: the width with its tolerance class, and the height of the bore through the keyway.
+/// Text of the label for the keyway. The first line is the width with its tolerance class. The second line is the height of the bore
+/// through the keyway.
 pub fn keyway(bore: &Bore, key: &Keyway, words: &Labels) -> [String; 2] {
     let height = words.length(bore.diameter + key.depth, 2);
     let size = format!("{} JS9, {height}", words.length(key.width, 1));

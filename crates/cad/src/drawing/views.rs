@@ -45,7 +45,7 @@ const HIGH: f64 = 0.5;
 /// Label with the object to which its leader points.
 struct Label {
     text: [String; 2],
-    /// Target of the leader: a circle about the centre, given by its radius on the sheet, mm, or a point of the sheet.
+    /// Target of the leader: a circle about the centre or a point. A circle is given by its radius on the sheet, mm.
     of: Target,
 }
 

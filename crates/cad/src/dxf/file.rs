@@ -13,7 +13,8 @@ use gaitcam_base::text::append;
 /// Entity of the drawing; lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Shape {
-    /// Polyline. A vertex contains x, y and the bulge of the following edge: tan of a quarter of its arc's angle, 0 for a chord.
+    /// Polyline. A vertex contains x, y and the bulge of the following edge. The bulge is the tangent of a quarter of the arc's angle, and
+    /// 0 for a chord.
     Polyline {
         vertices: Vec<[f64; 3]>,
         closed: bool,

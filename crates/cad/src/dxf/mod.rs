@@ -238,7 +238,8 @@ impl Sheet {
         self.drawing.shapes.push((layer, shape));
     }
 
-    /// Adds a polyline. A vertex contains x, y (mm) and the bulge of the following edge: tan of a quarter of its arc's angle, 0 for a chord.
+    /// Adds a polyline. A vertex contains x, y (mm) and the bulge of the following edge. The bulge is the tangent of a quarter of the arc's
+    /// angle, and 0 for a chord.
     fn polyline(&mut self, layer: &'static str, vertices: &[[f64; 3]], closed: bool) {
         let mut reach = Vec::with_capacity(2 * vertices.len());
         for (i, &[x, y, bulge]) in vertices.iter().enumerate() {

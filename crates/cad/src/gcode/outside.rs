@@ -105,7 +105,7 @@ fn parallel(a: [f64; 3], b: [f64; 3], tool: f64) -> Option<(Move, [[f64; 2]; 2])
         let step = Move::line([to[0] + tool * n[0], to[1] + tool * n[1]]);
         return Some((step, [n, n]));
     };
-    // A concave part turns counter-clockwise: its centre is outside the cam.
+    // A concave part turns counter-clockwise, so its centre is outside the cam.
     let hollow = a[2] > 0.0;
     let outward = if hollow { -1.0 } else { 1.0 };
     let path = radius + outward * tool;

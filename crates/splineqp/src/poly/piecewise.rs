@@ -260,7 +260,8 @@ impl PiecewisePoly {
             low: start,
             high: start,
         };
-        // The ends are evaluated first: a piece whose hull lies between their extremes contains no extreme.
+        // The ends of the pieces are evaluated first. A piece whose hull lies between the minimum and the maximum end value contains no
+        // extreme.
         let (mut lowest_end, mut highest_end) = (start.value, start.value);
         for b in self.coef.chunks_exact(self.degree + 1) {
             for end in [b[0], b[self.degree]] {

@@ -235,7 +235,7 @@ mod tests {
 
     #[test]
     fn rounding_of_large_terms_is_not_halved_for_ever() {
-        // 1 + x − 1 to rounding: small values that carry the noise of 1.
+        // The function is 1 + x − 1 with rounding. Its small values have the noise of 1.
         let f = |_: usize, x: f64| vec![(1.0 + 1e-7 * x.sin()) - 1.0];
         let p = &stand_ins_for_differences(&[0.0, 3.0], 1e-11, &[1.0], f)[0];
         assert!(p.pieces() < 10, "{}", p.pieces());
@@ -244,7 +244,7 @@ mod tests {
 
     #[test]
     fn extremes_of_a_rational_function_are_found_to_twelve_digits() {
-        // x/(1 + x²) on [−3, 5]: ±½ at ±1.
+        // x/(1 + x²) on [−3, 5] has the extremes ±½ at ±1.
         let p = stand_in(&[-3.0, 0.5, 5.0], 1e-13, |_, x| x / (1.0 + x * x));
         let (low, high) = p.extremes();
         assert!((high.value - 0.5).abs() < 1e-12 && (low.value + 0.5).abs() < 1e-12);

@@ -24,7 +24,7 @@ pub struct Wave {
     pub sin: f64,
 }
 
-/// Maximum phase range, rad, of a sinusoid that one Taylor polynomial approximates: ±½ about the middle of the range.
+/// Maximum phase range, rad, of a sinusoid that one Taylor polynomial approximates. The range extends from −½ to ½ about its middle.
 const PHASE_PER_PIECE: f64 = 1.0;
 /// Degree of the Taylor polynomials. The remainder 0.5¹⁵/15! ≈ 2e-17 is below the rounding errors.
 const TAYLOR_DEGREE: usize = 14;

@@ -179,8 +179,8 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Bound of the left side of a limit for a law: the bound minus the terms of the further variables. If the limit measures the law from
-    /// its value at the reference angle, this value is added.
+    /// Bound of the left side of a limit for a law. It is the bound of the limit minus the terms of the further variables. If the limit
+    /// measures the law from its value at the reference angle, this value is added.
     pub fn room(&self, limit: &Limit<N>, x: &[f64], extra: &Values) -> f64 {
         let lowest = self.reference_of(limit).map_or(0.0, |at| apply(at, x));
         limit.room(extra) + limit.weights[0] * lowest
@@ -284,7 +284,7 @@ impl<N: Names> Program<N> {
         if unit > 0.0 { unit } else { 1.0 }
     }
 
-    /// Unit of the multipliers in the solver: the unit of the objective, or of the peak if only the peak is minimised.
+    /// Unit of the multipliers in the solver. It is the unit of the objective, or the unit of the peak if only the peak is minimised.
     pub fn multiplier_unit(&self, peak: f64) -> f64 {
         if self.cost[PEAK] == 0.0 {
             return self.objective_unit();

@@ -292,7 +292,8 @@ mod tests {
     use super::*;
     use crate::basis::Basis;
 
-    /// Spline spaces for tests: uniform; with fewer spans than B-splines on a span; with breaks of any multiplicity; open at both ends.
+    /// Spline spaces for tests: a uniform space, a space with fewer spans than B-splines on a span, a space with breaks of any
+    /// multiplicity, and an open space.
     fn spaces() -> [SplineSpace; 4] {
         let breaks = [0.0, 0.4, 1.3, 2.0, 2.2, 4.0];
         [

@@ -101,7 +101,7 @@ impl<N: Names> Program<N> {
             }
             let curve = self.left_side(x, limit);
             for mut peak in curve.peaks_above(level, limit.domain.0, limit.domain.1) {
-                // A shape subdivides the curve: the position is converted to the pieces of the basis.
+                // A shape subdivides the curve, so the position is converted to the pieces of the basis.
                 (peak.piece, peak.u) = self.basis.locate(peak.at);
                 visit(index, peak);
             }

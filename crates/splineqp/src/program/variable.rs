@@ -65,7 +65,7 @@ impl Values {
         *self == Values::NONE
     }
 
-    /// Dot product: sum over all variables of the entry of `self` times the entry of `other`.
+    /// Dot product. It is the sum over all variables of the entry of `self` times the entry of `other`.
     #[inline]
     pub fn dot(&self, other: &Values) -> f64 {
         self.0.iter().zip(&other.0).map(|(a, b)| a * b).sum()

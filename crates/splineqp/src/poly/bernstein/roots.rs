@@ -226,7 +226,8 @@ mod tests {
 
     #[test]
     fn a_maximum_that_rounding_puts_beyond_an_end_is_found_at_the_end() {
-        // The maximum of a stroke on a break at 270°: the slopes of both sides placed it on the other side.
+        // This is the maximum of a stroke on a break at 270°. The slopes on both sides of the break indicate that the maximum is on the
+        // other side.
         let tiny = 1e-17;
         for b in [
             [0.04, 0.048, 0.049 + tiny, 0.049],

@@ -86,7 +86,7 @@ impl SplineSpace {
         for span in &mut self.spans {
             (span.start, span.width) = (length * span.start / n, length / n);
         }
-        // length·n/n may differ from the length by a rounding error: the last break is set exactly.
+        // length·n/n may differ from the length by a rounding error, so the last break is set exactly.
         if let Some(last) = self.spans.last_mut() {
             last.width = length - last.start;
         }

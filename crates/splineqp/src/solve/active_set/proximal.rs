@@ -33,7 +33,7 @@ pub fn solve<N: Names>(program: &Program<N>) -> Result<Option<Solution<N>>, Fail
     Ok(start.and_then(|start| Search::new(program, start).run()))
 }
 
-/// Whether the method applies to a program: splines, no cones, and a peak with a positive cost.
+/// Whether the method applies to a program. The program must have splines, no cones, and a peak with a positive cost.
 pub fn suits<N: Names>(program: &Program<N>) -> bool {
     let splines = matches!(program.basis, Basis::Spline { .. });
     splines && program.cones.is_empty() && program.cost[PEAK] > 0.0

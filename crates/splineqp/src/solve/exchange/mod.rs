@@ -153,7 +153,7 @@ fn add_rows<N: Names>(program: &Program<N>, rows: &mut Vec<Row<N>>, broken: Vec<
     }
 }
 
-/// Whether a row is active: its multiplier is larger than its slack, in the scaled units of the solver.
+/// Whether a row is active. The multiplier of an active row is larger than its slack, in the scaled units of the solver.
 fn is_active<N: Names>(program: &Program<N>, row: &Row<N>, x: &[f64], extra: &Values) -> bool {
     let unit = row_unit(&row.entries, program.length);
     let multiplier = row.multiplier * unit / program.multiplier_unit(extra[PEAK]);

@@ -370,7 +370,8 @@ impl<'a, N: Names> Contacts<'a, N> {
 
     /// Step with all active rows as equalities. Rows with negative multipliers are removed, the most negative first.
     fn held_step(&self, from: &Solution<N>, solves: &mut usize) -> Option<Solution<N>> {
-        // A vertex has at most as many contacts as unknowns. Many more contacts result from an interior point or from a failed step.
+        // A vertex has at most as many active points as unknowns. Many more active points result from an interior point or from a failed
+        // step.
         let unknowns = self.program.basis.columns() + self.program.equalities.len();
         if from.active.len() > 2 * unknowns {
             return None;
