@@ -152,7 +152,8 @@ mod tests {
 
     #[test]
     fn bounded_solution_satisfies_the_conditions_of_its_optimum() {
-        // x ≥ 0, gradient ≥ 0 where x = 0, gradient = 0 where x > 0; on every sign of two directions.
+        // The conditions are x ≥ 0, gradient ≥ 0 where x = 0, and gradient = 0 where x > 0. They are checked for every sign of two
+        // directions.
         let columns = [
             [1.0, 2.0, 0.0, 1.0],
             [0.5, 1.0, 1.0, 0.0],

@@ -232,7 +232,7 @@ settings! {
 
     /// Settings of the duality gap in the certificate.
     CertificateSettings {
-        /// Objective, relative to the sum of its terms, below which it counts as a rounding error. It corresponds to a force error of a
+        /// Objective, relative to its largest term, below which it counts as a rounding error. It corresponds to a force error of a
         /// thousandth of the force.
         least_objective: f64 = 1e-6,
         /// Maximum magnitude of xᵀr, relative to the objective, for which xᵀr is part of the gap. A larger xᵀr is replaced by ½rᵀH⁻¹r.

@@ -50,8 +50,8 @@ impl<N: Names> Program<N> {
         Ok(solution)
     }
 
-    /// Solves a program with a limit on a root mean square, a peak and other further variables as one cone program. `None` if the solution
-    /// exceeds a limit.
+    /// Solves a program with a limit on a root mean square, a peak and other further variables as one cone program. `None` if the program
+    /// has no such variables, or if the solution exceeds a limit.
     fn with_its_cone(&self) -> Option<Solution<N>> {
         let present = self.present();
         let is_least = |k: Variable| self.least_values().any(|least| least.0 == k);

@@ -185,8 +185,8 @@ impl<'a, N: Names> Search<'a, N> {
                 });
             }
         }
-        // A law that satisfies all limits is useful even without a proof. It is the law of the exchange method, or the law with the minimum
-        // root mean square.
+        // Without such a law, the law with the smaller violation is returned without a proof. It comes from the exchange method, or has the
+        // minimum root mean square.
         let mut near = self.nearest()?;
         near.active.clear();
         near.extra[PEAK] = self.program.own_peak(&near.x, &near.extra);

@@ -248,8 +248,8 @@ impl<'a, N: Names> Contacts<'a, N> {
             || a.peak.piece == b.peak.piece && self.is_flat(&self.program.limits[limit])
     }
 
-    /// Negative second derivative −c″ of the left side c at an active point inside its piece. `None` at the ends of a piece, and if c is
-    /// nearly constant.
+    /// Negative second derivative −c″ at an active point inside its piece, where c is the left side of the limit minus its shape. `None` at
+    /// the ends of a piece, if c is nearly constant, and if the limit contains the fourth derivative.
     fn sharpness(&self, x: &[f64], row: &Row<N>) -> Option<f64> {
         let limit = row.limit.map(|i| &self.program.limits[i])?;
         let w = limit.weights;
