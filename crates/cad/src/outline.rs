@@ -11,8 +11,8 @@ pub fn id(layer: &str) -> String {
     name.to_lowercase().replace('_', "-")
 }
 
-/// Reference lines of the drawing, each with its layer and its end points (m). They mark the centre of a disc, the foot of a translating cam, and
-/// the start of each turn of an unrolled barrel.
+/// Reference lines of the drawing, each with its layer and its end points (m). They mark the centre of a disc, the foot of a translating
+/// cam, or the ends of each turn of an unrolled barrel.
 pub fn marks(synthesis: &Design) -> Vec<(&'static str, [[f64; 2]; 2])> {
     let follower = &synthesis.cam.follower;
     let (start, length) = synthesis.cam.law.extent();

@@ -88,14 +88,14 @@ impl Pen {
     }
 }
 
-/// Text of the label for the bore, two lines.
+/// Text of the label for the bore. The first line is its name. The second line contains the diameter with its tolerance class.
 pub fn bore(bore: &Bore, words: &Labels) -> [String; 2] {
     let size = format!("Ø {} H7", words.length(bore.diameter, 3));
     [words.text("drawing-bore"), size]
 }
 
-/// Text of the label for the keyway. The first line is the width with its tolerance class. The second line is the height of the bore
-/// through the keyway.
+/// Text of the label for the keyway. The first line is its name. The second line contains the width with its tolerance class, and the
+/// height of the bore through the keyway.
 pub fn keyway(bore: &Bore, key: &Keyway, words: &Labels) -> [String; 2] {
     let height = words.length(bore.diameter + key.depth, 2);
     let size = format!("{} JS9, {height}", words.length(key.width, 1));

@@ -93,7 +93,7 @@ pub struct Limit<N: Names> {
     pub from_reference: bool,
     /// First and last angle of the domain, rad.
     pub domain: (f64, f64),
-    /// Scale of a violation: |bound|, or 1 if the bound is 0.
+    /// Scale of a violation. The default is |bound|, or 1 if the bound is 0.
     pub scale: f64,
     /// Whether a solver may tighten the limit by a margin. It must be false if the law may have to equal its bound over a whole range.
     pub has_room: bool,
@@ -183,8 +183,8 @@ impl<N: Names> Limit<N> {
         self
     }
 
-    /// Scale of an excess for the given bound. For a range of values with free position, it is the width of the range, not the distance
-    /// from 0.
+    /// Scale of an excess for the given bound `room`. It is the larger of `scale` and |`room`|. For a range of values with free position,
+    /// it is `scale`, which is the width of the range.
     pub fn size(&self, room: f64) -> f64 {
         if self.is_window {
             self.scale

@@ -41,7 +41,7 @@ impl<N: Names> RmsLimit<N> {
         square.max(0.0).sqrt() / self.most - 1.0
     }
 
-    /// The limit as a cone; `None` if the minimum of q exceeds the limit.
+    /// The limit as a cone. `None` if the minimum root mean square is not below the limit, or if H cannot be factorised.
     pub(crate) fn ball(&self) -> Option<Ball> {
         let whole = &self.half.whole;
         let mut hessian = whole.hessian.clone();
@@ -127,8 +127,8 @@ impl<N: Names> Program<N> {
         self
     }
 
-    /// Removes limits that have no effect, because their bound contains a variable without a cost or another restriction, such as an
-    /// unbounded peak or size.
+    /// Removes limits that have no effect, because their bound contains a variable without a cost or another restriction. An example is a
+    /// peak that is no longer minimised.
     fn without_idle_limits(&mut self) {
         let kept = |k: Variable| {
             self.is_in_cone(k)

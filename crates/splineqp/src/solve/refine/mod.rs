@@ -88,7 +88,7 @@ pub fn keeps_limits<N: Names>(program: &Program<N>, solution: &Solution<N>) -> b
     solution.violation <= tolerance || solution.violation <= rounding(program, solution)
 }
 
-/// Maximum ratio of gap, stationarity and violation to their refinement thresholds; at most 1 if no refinement is necessary.
+/// Maximum ratio of gap, stationarity and violation to their refinement thresholds. It is at most 1 if no refinement is necessary.
 pub fn openness<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
     let settings = &program.settings.refinement;
     let proof = certificate(program, solution);
@@ -119,7 +119,7 @@ pub fn on_contacts<N: Names>(program: &Program<N>, start: &Solution<N>) -> Optio
 }
 
 impl<'a, N: Names> Contacts<'a, N> {
-    /// Creates the refinement; `None` if the program is too large for a dense step, or has a cone.
+    /// Creates the refinement. `None` if the program is too large for a dense step, or has a cone.
     fn small(program: &'a Program<N>) -> Option<Self> {
         let unknowns = program.basis.columns() + program.equalities.len();
         let too_large = 2 * unknowns > program.settings.refinement.largest;
