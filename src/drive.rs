@@ -72,7 +72,7 @@ pub struct Drive {
     pub spring_rate: f64,
     /// Damping: force per velocity of the follower, N·s/m.
     pub damping: f64,
-    /// Mass that the lift moves, kg.
+    /// Mass that the lift moves, kg. For an arm, it is the moment of inertia, kg·m².
     pub mass: f64,
     /// Cam speed ω, rad/s; positive.
     pub speed: f64,
@@ -113,8 +113,8 @@ impl Drive {
         }
     }
 
-    /// Converts the drive to an arm with forces at the distance `lever` (m) from the pivot. The spring acts there, and the mass becomes a moment of
-    /// inertia.
+    /// Converts the drive to an arm. Preload, spring and damper act at the distance `lever` (m) from the pivot and are stored as moments
+    /// about the pivot. The mass is unchanged, so it must already be the moment of inertia, kg·m².
     ///
     /// ```
     /// use gaitcam::drive::Drive;
@@ -158,7 +158,7 @@ impl Drive {
         ]
     }
 
-    /// Force at one point of a law, N.
+    /// Force at one point of a law, N (for an arm: moment, N·m).
     #[inline]
     pub fn force(&self, at: Svaj) -> f64 {
         let w = self.weights();

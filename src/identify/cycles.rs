@@ -29,9 +29,9 @@ const ROUNDS: usize = 4;
 /// Harmonics of one quantity in every cycle, and their mean: `[a₀, a₁, b₁, a₂, b₂ …]` of a₀ + Σ aₙ cos nφ + bₙ sin nφ.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Averaged {
-    /// Coefficients of every cycle.
+    /// Coefficients of every cycle, one list per cycle.
     pub each: Vec<Vec<f64>>,
-    /// Mean of the coefficients.
+    /// Mean of the coefficients over the cycles.
     pub mean: Vec<f64>,
 }
 
@@ -69,7 +69,7 @@ impl Averaged {
         Averaged::of(self.each.iter().map(|cycle| map(cycle)).collect())
     }
 
-    /// Variance of the mean, for each coefficient.
+    /// Variance of the mean of each coefficient, from the scatter over the cycles.
     pub fn variance(&self) -> Vec<f64> {
         let count = self.each.len() as f64;
         let of = |j: usize| {
@@ -144,7 +144,7 @@ impl Cycles {
         line[1] / TAU / leads.len() as f64
     }
 
-    /// Rejects a log whose speed changes.
+    /// Rejects a log whose speed changes by more than the fraction `DRIFT`.
     fn check_drift(&self, log: &Log) -> Result<()> {
         let leads = self.leads();
         if leads.len() < 6 {
@@ -158,7 +158,7 @@ impl Cycles {
         }
     }
 
-    /// Rejects a log whose mean cycle changes.
+    /// Rejects a log whose mean cycle changes by more than the fraction `CHANGE` and more than the scatter explains.
     fn check_change(&self, log: &Log) -> Result<()> {
         let each = &self.force.each;
         let count = each.len();

@@ -131,7 +131,7 @@ impl Log {
     }
 }
 
-/// Result of the recognition of a column's unit.
+/// Result of recognising the unit of a column.
 enum Unit {
     /// Index of the quantity in [`NAMES`], and the conversion factor of the unit to SI.
     Known(usize, f64),

@@ -15,7 +15,7 @@ pub(super) const ANGLES: usize = 720;
 /// Fraction of the maximum speed of the follower below which the follower counts as at rest.
 const RESTS: f64 = 1e-6;
 
-/// Motion of the cam, at equally spaced angles.
+/// Motion of the cam in a log, at equally spaced cam angles.
 pub(super) struct Clock {
     /// Phase of the log at each angle, rad.
     pub phase: Vec<f64>,
@@ -131,17 +131,17 @@ pub(super) struct Term {
 /// Quantity by which a parameter is multiplied in the force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Effect {
-    /// Constant force: the number 1.
+    /// Constant force. It is multiplied by 1.
     Constant,
-    /// Mass on a moving axis: g + ω²a + αv, where α is the angular acceleration of the cam.
+    /// Mass on a moving axis. It is multiplied by g + ω²a + αv, where α is the angular acceleration of the cam.
     Weight,
-    /// Mass on a fixed axis: ω²a + αv, where α is the angular acceleration of the cam.
+    /// Mass on a fixed axis. It is multiplied by ω²a + αv, where α is the angular acceleration of the cam.
     Mass,
-    /// Stiffness of a spring: the lift s.
+    /// Stiffness of a spring. It is multiplied by the lift s.
     Spring,
-    /// Damping coefficient: the velocity ωv.
+    /// Damping coefficient. It is multiplied by the velocity ωv.
     Damping,
-    /// Friction: the sign of v.
+    /// Coulomb friction. It is multiplied by the sign of v.
     Coulomb,
     /// Compliance 1/k₁ of a follower train, which deflects by F/k₁: −(k F + c ω F′ + m ω² F″), where F is the force of the drive.
     Compliance,

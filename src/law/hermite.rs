@@ -22,7 +22,7 @@ use nalgebra::{DMatrix, DVector};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Condition {
-    /// Angle of the condition, rad.
+    /// Angle at which the condition applies, rad.
     pub theta: f64,
     /// Order of the derivative: 0 = lift, 1 = velocity, 2 = acceleration, 3 = jerk, …
     pub order: usize,

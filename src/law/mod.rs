@@ -152,7 +152,7 @@ impl Law {
         self.poly.breaks()
     }
 
-    /// Polynomial part of the lift.
+    /// Polynomial part of the lift, without sinusoids.
     pub fn poly(&self) -> &PiecewisePoly {
         &self.poly
     }
@@ -282,7 +282,7 @@ impl Law {
             .fold(0.0, f64::max)
     }
 
-    /// The law with `ds` added to its lift.
+    /// The law with the constant `ds`, m, added to its lift.
     #[must_use]
     pub fn raised(&self, ds: f64) -> Self {
         let poly = PiecewisePoly::combine(&[(1.0, &self.poly)], ds);

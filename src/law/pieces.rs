@@ -3,7 +3,7 @@
 use super::{Law, Wave};
 use crate::poly::{PiecewisePoly, bernstein};
 
-/// A law under construction.
+/// A law under construction, to which spans are added in ascending order.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Pieces {
     breaks: Vec<f64>,

@@ -16,7 +16,7 @@ use super::{Language, Messages, catalogue, degrees, number, quantity, range};
 pub struct Words(&'static Messages);
 
 impl Words {
-    /// Gives access to the messages of one catalogue.
+    /// Creates the texts for the messages of one catalogue.
     pub fn new(own: &'static Messages) -> Self {
         Words(own)
     }
@@ -86,7 +86,7 @@ impl Words {
     /// Text of the message `key` with these arguments, which are inserted unchanged.
     pub fn fill(&self, key: &str, arguments: &[(&str, &str)]) -> String {
         let values = arguments.iter().map(|&(name, text)| {
-            // Whole numbers select plural forms.
+            // Whole numbers are passed as numbers, because they select plural forms.
             let value = text.parse::<i64>().map_or(Value::from(text), Value::from);
             (name.to_string(), value)
         });

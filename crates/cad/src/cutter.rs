@@ -34,14 +34,14 @@ pub enum Gouge {
     Elsewhere {
         /// Cam angle of the point that is cut, rad.
         at: f64,
-        /// Cam angle of the damaged point, rad.
+        /// Cam angle of the damaged point of the profile, rad.
         damaged: f64,
-        /// Depth of the damage, m.
+        /// Depth by which the cutter penetrates the profile, m.
         depth: f64,
     },
     /// The profile is undercut, so no cutter can produce it.
     Undercut {
-        /// Cam angle of the cusp, rad.
+        /// Cam angle at the minimum convex radius, where the profile is undercut most, rad.
         at: f64,
     },
 }

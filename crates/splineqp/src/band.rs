@@ -47,7 +47,7 @@ impl ArrowMatrix {
         self.n
     }
 
-    /// Half-bandwidth and number of border rows.
+    /// Half-bandwidth of the leading block and number of border rows.
     pub fn shape(&self) -> (usize, usize) {
         (self.band, self.border)
     }
@@ -288,7 +288,7 @@ fn factor_of_width(core: &mut [f64], w: usize) -> Option<()> {
         let inverse = 1.0 / positive_root(column[0])?;
         column[0] = inverse;
         column[1..].iter_mut().for_each(|l| *l *= inverse);
-        // Entries below the last row are zero.
+        // Stored entries below the last row of the matrix are zero.
         for (p, own) in (1..w).zip(later.chunks_exact_mut(w)) {
             take_off(&mut own[..w - p], &column[p..], column[p]);
         }

@@ -315,7 +315,7 @@ pub fn dense(entries: &Entries, n: usize) -> Vec<f64> {
     out
 }
 
-/// Value of a row for given coefficients.
+/// Value of the linear functional `entries` for the coefficients x: Σ value·xᵢ.
 #[inline]
 pub fn apply(entries: &Entries, x: &[f64]) -> f64 {
     entries.iter().map(|&(i, v)| v * x[i]).sum()

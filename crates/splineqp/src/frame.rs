@@ -16,7 +16,7 @@ pub struct Apart {
     pub along: Vec<f64>,
     /// Orthogonal part of the normal.
     pub rest: Vec<f64>,
-    /// Squared length of the orthogonal part.
+    /// Squared length of the orthogonal part `rest`.
     pub left: f64,
 }
 

@@ -97,7 +97,7 @@ settings! {
     ProximalSettings {
         /// Initial weight ε. It is the weight of the change of the law in a proximal step, divided by the weight of the peak's change.
         nearness: f64 = 1e-2,
-        /// Minimum of the weight ε.
+        /// Minimum of the weight ε, below which it is not reduced.
         least_nearness: f64 = 1e-9,
         /// Factor by which the weight ε is multiplied from one centre to the next.
         fall: f64 = 0.2,
@@ -201,7 +201,7 @@ settings! {
         /// the remaining component. The plane counts as dependent if the squared length of the remaining component is below this fraction
         /// of the normal's squared length.
         dependent: f64 = 1e-25,
-        /// Violation of a dependent plane below which the violation is a rounding error.
+        /// Violation of a dependent plane below which it counts as a rounding error.
         rounding: f64 = 1e-9,
     }
 

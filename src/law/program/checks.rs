@@ -24,8 +24,8 @@ impl Extent {
     }
 }
 
-/// Checks that the sum of the lengths equals the extent up to rounding errors, and returns the sum. Segments with an invalid length or lift are
-/// errors.
+/// Checks that the sum of the lengths equals the extent up to rounding errors, and returns the sum. Also checks the length and lift of each
+/// segment.
 pub fn lengths(segments: &[Segment], extent: Extent) -> Result<f64> {
     if segments.is_empty() {
         return Err(LawError::NoSegment.into());

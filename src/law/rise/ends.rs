@@ -79,9 +79,9 @@ pub struct End {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ends {
-    /// Motion at x = 0.
+    /// Motion at the start of the rise, x = 0.
     pub start: End,
-    /// Motion at x = 1.
+    /// Motion at the end of the rise, x = 1.
     pub end: End,
 }
 
@@ -159,9 +159,9 @@ pub struct Factors {
     pub cj: f64,
     /// Factor Ct of the inertia torque: maximum of |a·v|.
     pub ct: f64,
-    /// Minimum and maximum velocity.
+    /// Minimum and maximum velocity v.
     pub v: (f64, f64),
-    /// Minimum and maximum acceleration.
+    /// Minimum and maximum acceleration a.
     pub a: (f64, f64),
     /// Minimum and maximum jerk inside the spans. Jumps of the acceleration are not included.
     pub j: (f64, f64),

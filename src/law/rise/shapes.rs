@@ -6,7 +6,7 @@ use crate::error::{LawError, Result};
 use crate::poly::{bernstein, stand_in};
 use std::f64::consts::{PI, TAU};
 
-/// Polynomial law Σ pₖ xᵏ.
+/// Polynomial law Σ pₖ xᵏ with the coefficients `p`.
 pub(super) fn power(p: &[f64]) -> Law {
     single(bernstein::from_power(p), Vec::new())
 }

@@ -127,7 +127,7 @@ fn half_unit(rows: &[(f64, f64)]) -> f64 {
     0.5 * 0.1_f64.powi(most as i32)
 }
 
-/// Text that consists of a word and numbers.
+/// Text of a motion in a scene: a word and numbers, separated by spaces.
 fn written(word: &str, numbers: impl Iterator<Item = f64>) -> String {
     numbers.fold(word.to_string(), |text, x| format!("{text} {x}"))
 }

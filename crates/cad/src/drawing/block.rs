@@ -13,7 +13,7 @@ use crate::words::Labels;
 const VALUE: f64 = 2.9;
 const NAME: f64 = 1.9;
 const HEAD: f64 = 4.6;
-/// Height of the field with the title, mm.
+/// Height of the title field, which is the first field of the block, mm.
 const FIRST: f64 = 10.0;
 const FIELD: f64 = 8.0;
 

@@ -16,7 +16,7 @@ pub enum Face {
 pub struct Glyph {
     /// Font that contains the glyph.
     pub face: Face,
-    /// Code of the character in this font.
+    /// Code of the character in the encoding of the font.
     pub byte: u8,
     /// Width of the glyph, thousandths of an em.
     width: u16,

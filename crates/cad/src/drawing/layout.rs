@@ -76,9 +76,9 @@ impl Scale {
 pub struct Layout {
     /// Name of the sheet format: A4 or A3.
     pub name: &'static str,
-    /// Width and height of the paper, mm.
+    /// Width and height of the paper in mm: 210 × 297 or 420 × 297.
     pub paper: [f64; 2],
-    /// Area inside the frame of the drawing.
+    /// Area inside the frame of the drawing, with the margins outside.
     pub frame: Area,
     /// Area for the plan view and the side view.
     pub views: Area,

@@ -94,14 +94,14 @@ impl Pen {
         }
     }
 
-    /// Draws an open polyline through points.
+    /// Draws an open polyline through points, mm.
     pub fn line(&mut self, points: &[[f64; 2]], stroke: Stroke) {
         self.take(stroke);
         self.trace(points);
         self.content.stroke();
     }
 
-    /// Draws a closed polyline through points.
+    /// Draws a closed polyline through points, mm.
     pub fn ring(&mut self, points: &[[f64; 2]], stroke: Stroke) {
         self.take(stroke);
         self.trace(points);

@@ -173,7 +173,7 @@ impl Drawing {
     }
 }
 
-/// Writes the root dictionary with its only entry.
+/// Writes the root dictionary. The format requires it even if it has only the entry for groups.
 fn objects(out: &mut Groups) {
     out.section("OBJECTS");
     let root = out.object("DICTIONARY", 0, &["AcDbDictionary"]);

@@ -32,7 +32,7 @@ const ZERO: &str = "REF_THETA_ZERO";
 /// Layer of the arrow of rotation.
 const ROTATION: &str = "REF_ROTATION";
 
-/// Version of the DXF format.
+/// Version of the DXF format, R12 or R2000.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Version {
     /// R12: polylines with separate vertex entities, which every program can read. The R12 header has no variable for the unit. The unit is
@@ -64,12 +64,12 @@ pub enum Curves {
     Lines,
 }
 
-/// Options of a DXF drawing.
+/// Options of a DXF drawing: vertices, version, bore, layers and unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
     /// Number of vertices of a polyline. The vertices are at equal steps of the cam angle.
     pub points: usize,
-    /// Version of the DXF format.
+    /// Version of the DXF format, R12 or R2000.
     pub version: Version,
     /// Bore for the shaft; `None` for a cam without a bore.
     pub bore: Option<Bore>,

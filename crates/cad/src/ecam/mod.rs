@@ -74,7 +74,7 @@ pub struct Carries {
     pub interpolation: Interpolation,
     /// Number type of the points and coefficients.
     pub number: Number,
-    /// Maximum number of points of one cam.
+    /// Maximum number of points of one cam in the controller.
     pub most: usize,
     write: fn(&Table) -> String,
     read: fn(&str) -> Option<Curve>,
@@ -164,9 +164,9 @@ pub struct ElectronicCam {
     pub dialect: Dialect,
     /// Text of the file, a program or a table.
     pub text: String,
-    /// Number of intervals between the points.
+    /// Number of intervals between the points. It is one less than the number of points.
     pub intervals: usize,
-    /// Error of the motion that the controller executes.
+    /// Error of the motion that the controller executes from this file.
     pub replayed: Replayed,
 }
 

@@ -6,7 +6,7 @@ use gaitcam::poly::PiecewisePoly;
 use super::Number;
 use super::table::{Node, Table};
 
-/// Curve data that a file contains.
+/// Curve data that a file contains, in the units of the file.
 pub enum Curve {
     /// Lift, velocity and acceleration at both ends of every polynomial segment.
     Segments(Vec<[Node; 2]>),

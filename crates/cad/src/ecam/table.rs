@@ -63,7 +63,7 @@ impl Table {
             a: number.nearest(y / (x * x) * at.a),
         };
         let end = |theta: f64| {
-            // The last span that begins before the angle.
+            // Index of the last span of the law that begins before the angle `theta`.
             let i = breaks
                 .partition_point(|b| *b < theta)
                 .clamp(1, breaks.len() - 1)
@@ -111,7 +111,7 @@ impl Table {
     /// Description of the columns and their units, for the first lines of a file.
     pub fn head(&self) -> String {
         let (x, y) = (self.x_unit, self.y_unit);
-        // Removes characters that would end a comment.
+        // Removes characters that would end a comment in the file.
         let name = self.name.replace(['*', '(', ')', '\n', '\r'], " ");
         let points = self.segments.len() + 1;
         format!(

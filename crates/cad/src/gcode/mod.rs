@@ -32,7 +32,7 @@ const ACCELERATION: f64 = 500.0;
 /// Minimum relative change of the feed for which a new feed is written.
 const NEW_FEED: f64 = 0.01;
 
-/// Options of the milling program.
+/// Options of the milling program: cutter, depth of a pass and unit.
 ///
 /// ```
 /// use gaitcam_cad::{Units, gcode::Milling};
@@ -96,7 +96,7 @@ fn feed_on(path: f64, profile: f64) -> f64 {
     (FEED * path / profile).min(most)
 }
 
-/// Path of the cutter's centre, m.
+/// Path of the cutter's centre, m: a start point and consecutive moves.
 struct Path {
     start: [f64; 2],
     moves: Vec<Move>,
@@ -234,7 +234,7 @@ impl Program {
         }
     }
 
-    /// Writes a line without any change.
+    /// Writes a line of the program without any change.
     fn line(&mut self, line: &str) {
         self.text.push_str(line);
         self.text.push('\n');

@@ -15,7 +15,7 @@ const LEAST_LEAD: f64 = 0.002;
 /// Length of the line from the start hole of a wire to the profile, m.
 const WAY_IN: f64 = 0.003;
 
-/// Kind of lead-in and lead-out of the path.
+/// Kind of lead-in and lead-out: arcs for a milling cutter, lines for a wire.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Lead {
     /// Tangential quarter circles, with which a milling cutter leaves no mark.

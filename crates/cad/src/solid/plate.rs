@@ -163,7 +163,7 @@ fn bored(outline: &[[f64; 2]], bore: &Bore, thickness: f64) -> Mesh {
     for i in 0..n {
         let (a, b) = (2 * i, 2 * ((i + 1) % n));
         let (c, d) = (2 * n + a, 2 * n + b);
-        // Outer wall, bore wall, upper face, lower face.
+        // Order of the triangles: outer wall, bore wall, upper face, lower face.
         triangles.push([a, b, b + 1]);
         triangles.push([a, b + 1, a + 1]);
         triangles.push([d, c, c + 1]);

@@ -106,7 +106,7 @@ pub fn clamped(inner: Range<usize>, spans: usize) -> Vec<(usize, f64)> {
 
 /// Basis functions that can be nonzero at `x`: the index of the first of these four functions, and their values at `x` (Cox–de Boor).
 fn basis(spans: usize, x: f64) -> (usize, [f64; 4]) {
-    // Knot k of the full sequence.
+    // Knot k of the full knot sequence, with multiple knots repeated.
     let knot = |k: usize| match k {
         0..=3 => 0.0,
         k if k <= spans => (k - 2) as f64,

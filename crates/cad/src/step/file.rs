@@ -42,7 +42,7 @@ pub fn circle(centre: [f64; 2], radius: f64) -> Vec<Piece> {
 /// Number of the STEP entity of an edge.
 type Rim = usize;
 
-/// Bottom and top edges of a wall.
+/// Bottom and top edges of a wall, as numbers of STEP entities.
 pub struct Rims {
     pub low: Vec<Rim>,
     pub high: Vec<Rim>,

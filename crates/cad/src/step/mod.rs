@@ -115,7 +115,7 @@ impl Dot {
     }
 }
 
-/// Plate between two heights, mm, with its holes.
+/// Plate between two heights z, mm, with its bore and the engraved mark.
 struct Body {
     outline: Vec<Piece>,
     hole: Option<Bore>,

@@ -116,7 +116,7 @@ impl Transform {
         }
     }
 
-    /// Chebyshev nodes between two ends.
+    /// Chebyshev nodes on the interval [a, b].
     fn nodes_on(&self, [a, b]: [f64; 2]) -> [f64; DEGREE + 1] {
         self.nodes.map(|x| a + (b - a) * 0.5 * (1.0 + x))
     }
@@ -142,11 +142,11 @@ impl Transform {
     }
 }
 
-/// Interpolant on one part of a piece.
+/// Chebyshev interpolant on one part of a piece.
 struct Part {
     ends: [f64; 2],
     chebyshev: [f64; DEGREE + 1],
-    /// Maximum absolute value at the nodes.
+    /// Maximum absolute value of the function at the nodes.
     largest: f64,
     /// Maximum absolute value of the last coefficients. The next field is the same maximum before the last halving.
     tail: f64,
@@ -226,7 +226,7 @@ mod tests {
 
     #[test]
     fn noise_of_the_function_is_not_halved_for_ever() {
-        // Digits beyond the eleventh are arbitrary.
+        // The digits of the function beyond the eleventh are arbitrary.
         let f = |_: usize, x: f64| x.sin() + 1e-11 * (1e7 * x).sin();
         let p = stand_in(&[0.0, 3.0], 1e-13, f);
         assert!(p.pieces() < 100, "{}", p.pieces());

@@ -85,13 +85,13 @@ pub struct Limit<N: Names> {
     pub weights: [f64; 5],
     /// Bound of the limit: Σ weights·s⁽ᵏ⁾ + Σ extra·y ≤ bound + shape(θ).
     pub bound: f64,
-    /// Weights of the further variables.
+    /// Weights of the further variables y in the left side.
     pub extra: Values,
     /// Index of the part of the bound that varies with θ, in the shapes of the program; `None` for a constant bound.
     pub shape: Option<usize>,
     /// Whether the law is measured from its value at the reference angle of the program.
     pub from_reference: bool,
-    /// First and last angle of the domain, rad.
+    /// First and last angle at which the limit applies, rad.
     pub domain: (f64, f64),
     /// Scale of a violation. The default is |bound|, or 1 if the bound is 0.
     pub scale: f64,
@@ -226,7 +226,7 @@ impl<N: Names> Limit<N> {
         self.extra[PEAK] != 0.0
     }
 
-    /// Bound minus the terms of the further variables.
+    /// Bound of the limit minus the terms of the further variables, for their values `extra`.
     pub fn room(&self, extra: &Values) -> f64 {
         self.bound - self.extra.dot(extra)
     }

@@ -40,7 +40,7 @@ pub struct Equality<N: Names> {
 /// Convex program for the coefficients of a law and a few further variables.
 #[derive(Debug, Clone)]
 pub struct Program<N: Names> {
-    /// Basis functions of the law.
+    /// Basis functions Bᵢ of the law.
     pub basis: Basis,
     /// Matrix H of the quadratic objective (may be singular or zero).
     pub hessian: ArrowMatrix,
@@ -63,7 +63,7 @@ pub struct Program<N: Names> {
     pub fixed: Vec<Row<N>>,
     /// Initial rows of the exchange, such as the active rows of a similar program.
     pub seeds: Vec<Row<N>>,
-    /// Cost of each further variable.
+    /// Cost of each further variable in the objective: the vector c.
     pub cost: Values,
     /// Second-order cones of the further variables.
     pub cones: Vec<Cone<N>>,
@@ -72,7 +72,7 @@ pub struct Program<N: Names> {
     pub length: f64,
     /// Settings of the solvers for this program.
     pub settings: Settings,
-    /// Stop condition of the solvers.
+    /// Condition under which the caller stops the solvers.
     pub halt: Halt,
 }
 
@@ -91,7 +91,7 @@ pub struct Row<N: Names> {
     pub entries: Entries,
     /// Part of the weights `entries` that comes from the value of the law at the reference angle.
     pub reference: Entries,
-    /// Weights of the further variables.
+    /// Weights of the further variables y in the left side.
     pub extra: Values,
     /// Bound of the left side of the row.
     pub bound: f64,

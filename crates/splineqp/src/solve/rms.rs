@@ -42,7 +42,7 @@ struct Tried<N: Names> {
     solution: Solution<N>,
 }
 
-/// Quantity that the search varies.
+/// Quantity that the search varies: the weight μ or the peak p.
 #[derive(Clone, Copy, PartialEq)]
 enum Way {
     Weight,

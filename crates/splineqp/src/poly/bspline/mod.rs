@@ -19,7 +19,7 @@ use super::PiecewisePoly;
 pub struct Span {
     /// Left end of the span.
     pub start: f64,
-    /// Length of the span, positive.
+    /// Length of the span. It is positive.
     pub width: f64,
     /// Index of the first of the degree + 1 basis functions on the span, before reduction modulo the dimension.
     pub first: usize,

@@ -119,7 +119,7 @@ fn cubic([a, b, c, d]: &[f64; 4], u: f64) -> f64 {
     v * v * (v * a + 3.0 * u * b) + u * u * (3.0 * v * c + u * d)
 }
 
-/// Bernstein coefficients of a polynomial restricted to the interval [`low`, `high`]. The length of `out` determines the degree of the
+/// Bernstein coefficients of a polynomial restricted to the interval from `low` to `high`. The length of `out` determines the degree of the
 /// result.
 fn restricted(b: &[f64], (low, high): (f64, f64), out: &mut [f64]) {
     let own = b.len() - 1;

@@ -89,7 +89,7 @@ impl<'a, const N: usize> Nearest<'a, N> {
         }
     }
 
-    /// Values of the approximation for all ranges.
+    /// Values of the approximation at the nodes, range by range.
     fn values(self) -> Vec<f64> {
         let scale = self.cells.per_length();
         let mut out = Vec::with_capacity(N * (self.breaks.len() - 1));

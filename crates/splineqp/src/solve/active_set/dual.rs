@@ -17,7 +17,7 @@ struct Member {
     multiplier: f64,
 }
 
-/// Active planes and the optimum on them.
+/// Active planes, and the optimum at which they are satisfied as equalities.
 pub struct Dual<'a> {
     factor: &'a ArrowFactor,
     /// Unconstrained optimum L⁻¹p, in the coordinates y = Lᵀx.
