@@ -90,8 +90,8 @@ pub fn recut(
     let count = measured.mean.len();
     let noise = measured.variance();
     let from = usize::from(design.problem.drive.kind == DriveKind::MovingAxis);
-    // The required force is a function of time. As a function of the cam angle, it differs from the target of the design if the speed varies
-    // differently.
+    // The required force is a function of time. As a function of the cam angle, it differs from the target of the design if the speed
+    // varies differently.
     let in_time = design.target_in_time().unwrap_or(target);
     let wanted: Vec<f64> = clock.time.iter().map(|t| in_time.at(*t)).collect();
     let taken = (0..ANGLES).map(|i| target.at(angle(i)));

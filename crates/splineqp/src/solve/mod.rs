@@ -5,8 +5,8 @@
 //! | equality-constrained least squares | limits that the unconstrained optimum satisfies | `equality` |
 //! | proximal steps of the dual active-set method | minimising a peak | `active_set/proximal` |
 //! | dual active-set method | only coefficients, at most 1000 rows | `active_set` |
-//! | interior-point method with exchange of rows | further variables (such as a peak) or cones; failure of the active-set method | `exchange` |
-//! | search for the weight of the mean square in the objective | a limit on a root mean square; with a peak and other further variables: `exchange` | `rms` |
+//! | interior-point method with exchange of rows | further variables or cones; failure of the active-set method | `exchange` |
+//! | search for the weight of the mean square | root-mean-square limit; `exchange` with a peak and other further variables | `rms` |
 //! | Newton's method for the active points | every solution whose certificate is not sufficient | `refine` |
 //!
 //! In each iteration, `active_set` and `exchange` solve a program with finitely many rows by a solver with the trait `RowSolver`.
