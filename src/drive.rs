@@ -27,12 +27,13 @@ pub(crate) const RESONANCE: f64 = 1e-9;
 #[derive(strum::IntoStaticStr, strum::VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum DriveKind {
-    /// Moving axis: the shaft block with the cam moves, and the cam rolls on a plate: F = M(g + ω²a) (Campillo de Blas 2017, eq. 22).
+    /// Moving axis: the shaft block with the cam moves, and the cam rolls on a plate. The force is F = M(g + ω²a) (Campillo de Blas 2017,
+    /// eq. 22).
     MovingAxis,
     /// Fixed axis: the cam turns in a fixed bearing and lifts a follower with spring, preload, damping and mass.
     FixedAxis,
-    /// Hydraulic drive: the cam displaces a piston of area A. F = (P/V)·A²·s, where P/V is the pressure per displaced volume, Pa/m³ (Vargas
-    /// and León 2024, eq. 3).
+    /// Hydraulic drive: the cam displaces a piston of area A. The force is F = (P/V)·A²·s. P/V is the pressure per displaced volume, Pa/m³
+    /// (Vargas and León 2024, eq. 3).
     Hydraulic,
 }
 
@@ -71,12 +72,12 @@ pub struct Drive {
     pub spring_rate: f64,
     /// Damping: force per velocity of the follower, N·s/m.
     pub damping: f64,
-    /// Mass that the lift moves, kg.
+    /// Mass that the lift moves, kg. For an arm, it is the moment of inertia, kg·m².
     pub mass: f64,
     /// Cam speed ω, rad/s; positive.
     pub speed: f64,
-    /// Lever: distance from the pivot of an arm at which forces act, m; 1 for a translating follower. For an arm, every force of the drive
-    /// is stored as a moment about the pivot, N·m, which is force times lever.
+    /// Lever: distance, m, from the pivot of an arm to the point at which forces act. It is 1 for a translating follower. For an arm, every
+    /// force of the drive is stored as a moment about the pivot, N·m, which is force times lever.
     pub lever: f64,
 }
 
@@ -112,8 +113,8 @@ impl Drive {
         }
     }
 
-    /// Converts the drive to an arm with forces at the distance `lever` (m) from the pivot. The spring acts there, and the mass becomes a moment of
-    /// inertia.
+    /// Converts the drive to an arm. Preload, spring and damper act at the distance `lever` (m) from the pivot and are stored as moments
+    /// about the pivot. The mass is unchanged, so it must already be the moment of inertia, kg·m².
     ///
     /// ```
     /// use gaitcam::drive::Drive;
@@ -146,7 +147,7 @@ impl Drive {
         [self.mass, self.spring_rate, self.damping, self.rest_force] == [0.0; 4]
     }
 
-    /// Weights of s, v, a, j in the force: `[k, cω, mω², 0]`, N per m, m/rad, m/rad².
+    /// Weights of s, v, a, j in the force: `[k, cω, mω², 0]`. Their units are N per m, N per m/rad and N per m/rad².
     #[inline]
     pub fn weights(&self) -> [f64; 4] {
         [
@@ -157,7 +158,7 @@ impl Drive {
         ]
     }
 
-    /// Force at one point of a law, N.
+    /// Force at one point of a law, N (for an arm: moment, N·m).
     #[inline]
     pub fn force(&self, at: Svaj) -> f64 {
         let w = self.weights();
@@ -181,7 +182,7 @@ impl Drive {
         (self.spring_rate - self.mass * nw * nw, self.damping * nw)
     }
 
-    /// Harmonic n of the lift, m, that produces a harmonic of the force, N, where harmonics are given as (cosine, sine); `None` at
+    /// Harmonic n of the lift, m, that produces the harmonic (a, b) of the force, N. Harmonics are given as (cosine, sine). `None` at
     /// resonance.
     pub(crate) fn lift_of(&self, harmonic: usize, (a, b): (f64, f64)) -> Option<(f64, f64)> {
         let (re, im) = self.gain(harmonic);
@@ -190,7 +191,7 @@ impl Drive {
         let largest = (self.spring_rate.abs())
             .max(self.mass * nw * nw)
             .max(im.abs());
-        // F = a cos + b sin = Re((a − ib) e^{ihθ}); division by the gain re + i·im.
+        // F = a cos + b sin = Re((a − ib) e^{ihθ}). The amplitude is divided by the gain re + i·im.
         let lift = ((a * re - b * im) / square, (b * re + a * im) / square);
         (square.sqrt() > RESONANCE * largest).then_some(lift)
     }

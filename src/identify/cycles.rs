@@ -15,13 +15,13 @@ use crate::error::{LogError, Result};
 pub(super) const MOST: usize = 24;
 /// Minimum number of samples per cycle and harmonic. With fewer samples, the fit follows the noise.
 const PER_HARMONIC: f64 = 2.5;
-/// Range of the ratio of measured to expected speed. Outside this range, the angle column has another unit.
+/// Range of the ratio of measured to expected speed. A ratio outside this range indicates that the angle column has another unit.
 const SPEEDS: [f64; 2] = [1e-3, 1e3];
 /// Change of the mean cycle within the log, relative to the alternating force, above which the log is rejected.
 pub(super) const CHANGE: f64 = 0.05;
 pub(super) const SURPRISE: f64 = 8.0;
-/// Minimum diagonal entry of the Cholesky factor of a cycle's normal equations. Equal time steps give 0.7; a smaller entry than the minimum indicates
-/// a gap in the cycle.
+/// Minimum diagonal entry of the Cholesky factor of a cycle's normal equations. Equal time steps give 0.7. An entry below the minimum
+/// indicates a gap in the cycle.
 const UNSEEN: f64 = 0.2;
 /// Number of iterations in which the period is corrected by the phases of the cycles.
 const ROUNDS: usize = 4;
@@ -29,9 +29,9 @@ const ROUNDS: usize = 4;
 /// Harmonics of one quantity in every cycle, and their mean: `[a₀, a₁, b₁, a₂, b₂ …]` of a₀ + Σ aₙ cos nφ + bₙ sin nφ.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Averaged {
-    /// Coefficients of every cycle.
+    /// Coefficients of every cycle, one list per cycle.
     pub each: Vec<Vec<f64>>,
-    /// Mean of the coefficients.
+    /// Mean of the coefficients over the cycles.
     pub mean: Vec<f64>,
 }
 
@@ -40,7 +40,7 @@ pub struct Averaged {
 pub struct Cycles {
     /// Mean speed of the cam, rad/s.
     pub speed: f64,
-    /// Whether the phase φ is the cam angle; otherwise φ is 2π times the fraction of the period since the first sample.
+    /// Whether the phase φ is the cam angle. Otherwise φ is 2π times the fraction of the period since the first sample.
     pub by_angle: bool,
     /// Force over a cycle, N, as harmonics.
     pub force: Averaged,
@@ -48,7 +48,7 @@ pub struct Cycles {
     pub shaft: Option<Averaged>,
     /// Torque at the camshaft over a cycle, N·m, as harmonics.
     pub torque: Option<Averaged>,
-    /// 2π times the elapsed fraction of the period, minus the cam angle, rad, as harmonics of the cam angle.
+    /// Phase lead, rad, as harmonics of the cam angle. The phase lead is 2π times the elapsed fraction of the period, minus the cam angle.
     pub lead: Option<Averaged>,
     /// Root mean square of the samples about the mean cycle, N.
     pub noise_rms: f64,
@@ -69,7 +69,7 @@ impl Averaged {
         Averaged::of(self.each.iter().map(|cycle| map(cycle)).collect())
     }
 
-    /// Variance of the mean, for each coefficient.
+    /// Variance of the mean of each coefficient, from the scatter over the cycles.
     pub fn variance(&self) -> Vec<f64> {
         let count = self.each.len() as f64;
         let of = |j: usize| {
@@ -85,7 +85,8 @@ impl Cycles {
     ///
     /// # Errors
     ///
-    /// The log is too short, has too few samples, or is not periodic; its speed or its mean cycle changes.
+    /// - The log is too short, has too few samples, or is not periodic.
+    /// - The speed or the mean cycle changes within the log.
     pub fn of(log: &Log, speed: f64, harmonics: usize) -> Result<Cycles> {
         let (phases, speed) = phases(log, speed)?;
         let turns = span(&phases);
@@ -136,14 +137,14 @@ impl Cycles {
         self.force.each.iter().map(lead).collect()
     }
 
-    /// Mean phase lead per cycle, in turns. It equals the relative error of the period.
+    /// Increase of the phase lead from cycle to cycle, in turns, by linear regression. It equals the relative error of the period.
     fn slope(&self) -> f64 {
         let leads = self.leads();
         let line = polynomial(&leads, 1);
         line[1] / TAU / leads.len() as f64
     }
 
-    /// Rejects a log whose speed changes.
+    /// Rejects a log whose speed changes by more than the fraction `DRIFT`.
     fn check_drift(&self, log: &Log) -> Result<()> {
         let leads = self.leads();
         if leads.len() < 6 {
@@ -157,7 +158,7 @@ impl Cycles {
         }
     }
 
-    /// Rejects a log whose mean cycle changes.
+    /// Rejects a log whose mean cycle changes by more than the fraction `CHANGE` and more than the scatter explains.
     fn check_change(&self, log: &Log) -> Result<()> {
         let each = &self.force.each;
         let count = each.len();
@@ -183,7 +184,7 @@ impl Cycles {
     }
 }
 
-/// Number of turns covered by the phases.
+/// Number of turns from the first sample to one time step after the last sample.
 fn span(phases: &[f64]) -> f64 {
     let n = phases.len();
     let step = (phases[n - 1] - phases[0]) / (n - 1) as f64;
@@ -272,7 +273,8 @@ fn basis(phase: f64, count: usize) -> Vec<f64> {
     out
 }
 
-/// 2π times the elapsed time, in periods, minus the change of the cam angle, rad, at each sample. `None` unless the log contains time and angle.
+/// Phase lead at each sample, rad: 2π times the elapsed time in periods, minus the change of the cam angle. `None` unless the log contains
+/// time and angle.
 fn lead(log: &Log, phases: &[f64]) -> Option<Vec<f64>> {
     let (time, _) = log.columns.time.as_ref().zip(log.columns.theta.as_ref())?;
     let last = phases.len() - 1;

@@ -102,7 +102,7 @@ pub(super) fn fit(columns: &[Column], runs: &[Averaged], shifts: &[Shift], start
     for _ in 0..if shifts.is_empty() { 0 } else { STEPS } {
         let model = solver.model(&values);
         let left = difference(&stack.means(&at), &model);
-        // Part of the effect of the shifts that the free columns cannot represent.
+        // Gauss–Newton step: a joint least-squares fit of the free columns and of the derivatives with respect to the shifts.
         let free = (0..values.len()).filter(|i| solver.is_free(&values, *i));
         let mut used: Vec<Vec<f64>> = free.map(|i| solver.scaled(i)).collect();
         let count = used.len();
@@ -137,7 +137,7 @@ fn intervals(solver: &Bounded, stack: Stack, values: &[f64], at: &[f64]) -> Fit 
     let used: Vec<Vec<f64>> = columns.chain(stack.slopes(&model)).collect();
     let operator = inverse(&used);
     let left = difference(&stack.means(at), &model);
-    // Scatter of the residual of all logs, from the cycles of each log.
+    // Noise variance of the residual, from the scatter of the residuals over the cycles of each log.
     let mut variance = vec![0.0; left.len()];
     for (run, part) in measured.iter().zip(stack.parts()) {
         let residuals = run.map(|c| {
@@ -200,8 +200,8 @@ fn intervals(solver: &Bounded, stack: Stack, values: &[f64], at: &[f64]) -> Fit 
     }
 }
 
-/// Factor by which the variance of the coefficients of a repeatable residual is multiplied to give the variance of an estimate. It is the larger of
-/// two values. One is for residuals that are independent in each log, the other for a residual that is equal in all logs.
+/// Ratio of the variance of an estimate to the variance of a coefficient of the repeatable residual. It is the larger of two values. One
+/// value is for residuals that are independent in each log, the other for a residual that is equal in all logs.
 fn size(stack: Stack, row: &[f64]) -> f64 {
     let longest = stack.runs.iter().map(|r| r.mean.len()).max().unwrap_or(0);
     let mut sum = vec![0.0; longest];

@@ -1,4 +1,4 @@
-//! Joint fit of several logs with the machine of a design. The logs share the parameters; each log has its own phase.
+//! Joint fit of several logs with the machine of a design. The logs share the parameters. Each log has its own phase.
 
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -68,14 +68,14 @@ impl Fitted {
         out
     }
 
-    /// Index of the log whose speed is nearest to that of the design.
+    /// Index of the log whose speed is nearest to the speed of the design.
     pub fn nearest(&self, design: &Design) -> usize {
         let off = |i: &usize| (self.runs[*i].cycles.speed / design.problem.drive.speed - 1.0).abs();
         let all = 0..self.runs.len();
         all.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(0)
     }
 
-    /// Measured cycles of all logs whose speed is nearly that of the log `place`, as harmonics of the phase of this log.
+    /// Measured cycles of all logs whose speed nearly equals the speed of the log `place`, as harmonics of the phase of this log.
     pub fn measured_at(&self, place: usize) -> Averaged {
         let near = |i: &usize| {
             let speed = |run: &Run| run.cycles.speed;

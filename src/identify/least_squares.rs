@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// Fraction of the maximum singular value below which a singular value counts as zero; columns are normalised.
+/// Fraction of the maximum singular value below which a singular value counts as zero. It applies to normalised columns.
 const RANK: f64 = 1e-9;
 
 /// One column of the linear model: the effect of one unknown on all data.
@@ -152,7 +152,8 @@ mod tests {
 
     #[test]
     fn bounded_solution_satisfies_the_conditions_of_its_optimum() {
-        // x ≥ 0, gradient ≥ 0 where x = 0, gradient = 0 where x > 0; on every sign of two directions.
+        // The conditions are x ≥ 0, gradient ≥ 0 where x = 0, and gradient = 0 where x > 0. They are checked for every sign of two
+        // directions.
         let columns = [
             [1.0, 2.0, 0.0, 1.0],
             [0.5, 1.0, 1.0, 0.0],

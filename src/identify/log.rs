@@ -17,10 +17,10 @@ pub(super) const NAMES: [&str; 5] = [
 const LEAST_ROWS: usize = 32;
 /// Maximum magnitude of a number in a log, in SI units. Times up to 30 years and forces up to 1 GN are accepted.
 pub(super) const LARGEST: f64 = 1e9;
-/// Fraction of the samples at exactly the maximum or minimum force above which the force is clipped.
+/// The force counts as clipped if more than this fraction of the samples equals the maximum force, or equals the minimum force.
 const CLIPPED: f64 = 0.02;
 
-/// Samples of a log in SI units. Time or angle or both are given; all columns have the length of the force.
+/// Samples of a log in SI units. The log contains time, angle or both. All columns have the same length.
 ///
 /// ```
 /// use gaitcam::identify::{Log, LogColumns};
@@ -91,7 +91,7 @@ fn unwrap(theta: &mut [f64]) {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Log {
-    /// Columns of the log; the angle does not restart and does not decrease.
+    /// Columns of the log. The angle does not restart and does not decrease.
     pub(super) columns: LogColumns,
     path: PathBuf,
 }
@@ -101,8 +101,11 @@ impl Log {
     ///
     /// # Errors
     ///
-    /// Neither time nor angle; columns of different lengths; a number that is not finite or above 10⁹; times or angles that do not increase; too few
-    /// rows; a clipped force.
+    /// - Neither time nor angle is given.
+    /// - The columns have different lengths, or too few rows.
+    /// - A number is not finite, or its magnitude is above 10⁹.
+    /// - Times or angles do not increase.
+    /// - The force is constant or clipped.
     pub fn new(path: &Path, columns: LogColumns) -> Result<Log> {
         Log::checked(path, columns, &[])
     }

@@ -67,15 +67,17 @@ pub struct LogOptions {
 }
 
 impl Log {
-    /// Reads a delimited text with a column of force and a column of time or cam angle (or both). Columns of speed and torque are optional; other
-    /// columns are ignored.
+    /// Reads a delimited text with a column of force and a column of time or cam angle (or both). Columns of speed and torque are optional.
+    /// Other columns are ignored.
     ///
-    /// A column is recognised by its name or its unit (`t_ms`, `Angle [deg]`, `Force (kN)`, or a row of units). A column that is named in the options
-    /// and has no unit is in SI units. The angle may restart after each turn. `path` is used in messages.
+    /// A column is recognised by its name or its unit (`t_ms`, `Angle [deg]`, `Force (kN)`, or a row of units). A column that is named in
+    /// the options and has no unit is in SI units. The angle may restart after each turn. `path` is used in messages.
     ///
     /// # Errors
     ///
-    /// A column that is missing or ambiguous, or whose unit is missing or unknown; a cell that is not a number; the errors of [`Log::new`].
+    /// - A column is missing or ambiguous, or its unit is missing or unknown.
+    /// - A cell is not a number.
+    /// - The errors of [`Log::new`].
     pub fn read(path: &Path, bytes: &[u8], options: &LogOptions) -> Result<Log> {
         let table = NumberTable::find(path, bytes)?;
         let names = Names {
@@ -129,7 +131,7 @@ impl Log {
     }
 }
 
-/// Result of the recognition of a column's unit.
+/// Result of recognising the unit of a column.
 enum Unit {
     /// Index of the quantity in [`NAMES`], and the conversion factor of the unit to SI.
     Known(usize, f64),
@@ -187,7 +189,7 @@ impl Names<'_> {
         let of_unit = |i: &usize| matches!(self.unit(*i), Unit::Known(q, _) if q == which);
         let of_name = |i: &usize| match self.unit(*i) {
             Unit::Known(quantity, _) if quantity != which => false,
-            // A position in millimetres is not an angle: its unit excludes the column.
+            // A position in millimetres is not an angle. Its unit excludes the column.
             Unit::Other(_) if which != 0 && which != FORCE => false,
             _ => self.means(which, *i),
         };
@@ -233,7 +235,7 @@ impl Names<'_> {
         }
     }
 
-    /// Conversion factor of a column to SI. A column without unit has the factor `default`; NaN means that a unit is required.
+    /// Conversion factor of a column to SI. A column without unit has the factor `default`. If `default` is NaN, a unit is required.
     fn factor(&self, which: usize, place: usize, default: f64) -> Result<f64> {
         let (column, (option, dimension)) = (self.name(place), OPTIONS[which]);
         let counts = self.options.counts_per_turn.filter(|_| which == ANGLE);

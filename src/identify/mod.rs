@@ -3,12 +3,16 @@
 //! The law s(θ) is known. For a steady cycle, the model is therefore linear in all unknowns except the phase shift:
 //!
 //! ```text
-//! y(φ + ψ) = b + F₀ + m (ω² a + α v) + k s + c ω v + f_C sign v + r(φ) + noise
+//! y(φ + ψ) = b + F₀ + m (ω² a + α v) + k s + c ω v + f_C sign v − (k F + c ω F′ + m ω² F″)/k₁ + r(φ) + noise
 //! ```
 //!
-//! The harmonics of the mean cycle are fitted, with non-negative parameters where this is physical. A confidence interval has two sources. The first
-//! is the noise of the mean cycle, from the scatter over the cycles. The second is the repeatable residual r, which is treated as random in its few
-//! harmonics. If r resembles the effect of a delay or a damping, the intervals of these parameters are therefore wider.
+//! Here y is the measured force, φ the cam angle, ψ the phase shift and b the zero offset of the load cell. F₀, m, k and c are the preload,
+//! mass, stiffness and damping of the drive. α is the angular acceleration of the cam, f_C the Coulomb friction, k₁ the stiffness of the
+//! follower train, F the force of the drive, and r the repeatable residual (theory §10).
+//!
+//! The harmonics of the mean cycle are fitted, with non-negative parameters where this is physical. A confidence interval has two sources.
+//! The first is the noise of the mean cycle, from the scatter over the cycles. The second is the repeatable residual r, which is treated as
+//! random in its few harmonics. If r resembles the effect of a delay or a damping, the intervals of these parameters are therefore wider.
 //!
 //! Several logs share the parameters and a delay. A log at a second speed separates mass and stiffness. A parameter is not identified if its interval
 //! contains 0 or is wider than half its value (theory §10).
@@ -72,7 +76,7 @@ use model::Effect;
 /// ```
 #[derive(Debug, Clone, Serialize)]
 pub struct Identified {
-    /// Parameters of the machine with their intervals.
+    /// Parameters of the machine with their 95 % confidence intervals.
     pub parameters: Vec<Parameter>,
     /// Root mean square deviation of the samples from the mean cycles, N.
     pub noise_rms_n: f64,
@@ -100,7 +104,7 @@ pub struct Identified {
 /// ```
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct LogFit {
-    /// Name of the log.
+    /// Name of the log in messages: the file name without folders.
     pub name: String,
     /// Mean speed of the cam, rad/s.
     pub speed_rad_per_s: f64,
@@ -142,7 +146,9 @@ impl Identified {
 ///
 /// # Errors
 ///
-/// A log without steady running of this machine, with the reason; the same log twice; logs that no common set of parameters fits.
+/// - A log does not contain steady running of this machine. The error contains the reason.
+/// - The same log is given twice.
+/// - No common set of parameters fits the logs.
 pub fn identify(design: &Design, scene: &Scene, logs: &[Log]) -> Result<Identified> {
     Ok(identified(design, scene, &Fitted::of(design, scene, logs)?))
 }

@@ -12,10 +12,10 @@ use crate::synth::Design;
 
 /// Number of equally spaced cam angles per turn.
 pub(super) const ANGLES: usize = 720;
-/// Fraction of the maximum speed of the follower below which the follower is at rest.
+/// Fraction of the maximum speed of the follower below which the follower counts as at rest.
 const RESTS: f64 = 1e-6;
 
-/// Motion of the cam, at equally spaced angles.
+/// Motion of the cam in a log, at equally spaced cam angles.
 pub(super) struct Clock {
     /// Phase of the log at each angle, rad.
     pub phase: Vec<f64>,
@@ -30,7 +30,7 @@ pub(super) struct Clock {
 }
 
 impl Clock {
-    /// Motion of the cam, from the measured speed of the log. Without a measured speed, the variation of the speed is that of the design, scaled to
+    /// Motion of the cam, from the measured speed of the log. Without a measured speed, the speed varies as in the design and is scaled to
     /// the mean speed of the log.
     pub fn of(design: &Design, cycles: &Cycles) -> Clock {
         let mean = cycles.speed;
@@ -79,7 +79,7 @@ impl Clock {
         }
     }
 
-    /// First `count` harmonics `[a₀, a₁, b₁ …]` over the phase, of values at the cam angles.
+    /// First `count` coefficients `[a₀, a₁, b₁ …]` of the harmonic series in the phase, for values given at the cam angles.
     pub fn harmonics(&self, values: &[f64], count: usize) -> Vec<f64> {
         let mut out = vec![0.0; count];
         for ((phase, part), x) in self.phase.iter().zip(&self.part).zip(values) {
@@ -115,7 +115,7 @@ pub(super) fn angle(i: usize) -> f64 {
     TAU * i as f64 / ANGLES as f64
 }
 
-/// A parameter of the machine or of the log, with its effect on the force.
+/// A parameter of the machine or of the log. Its effect is its contribution to the force per unit of the parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Term {
     /// Key of the parameter in the scene. Parameters without a key have a name such as `log.bias`.
@@ -131,23 +131,24 @@ pub(super) struct Term {
 /// Quantity by which a parameter is multiplied in the force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Effect {
-    /// Constant force: the number 1.
+    /// Constant force. It is multiplied by 1.
     Constant,
-    /// Mass on a moving axis: g + ω²a + αv, where α is the angular acceleration of the cam.
+    /// Mass on a moving axis. It is multiplied by g + ω²a + αv, where α is the angular acceleration of the cam.
     Weight,
-    /// Mass on a fixed axis: ω²a + αv, where α is the angular acceleration of the cam.
+    /// Mass on a fixed axis. It is multiplied by ω²a + αv, where α is the angular acceleration of the cam.
     Mass,
-    /// Stiffness of a spring: the lift s.
+    /// Stiffness of a spring. It is multiplied by the lift s.
     Spring,
-    /// Damping coefficient: the velocity ωv.
+    /// Damping coefficient. It is multiplied by the velocity ωv.
     Damping,
-    /// Friction: the sign of v.
+    /// Coulomb friction. It is multiplied by the sign of v.
     Coulomb,
     /// Compliance 1/k₁ of a follower train, which deflects by F/k₁: −(k F + c ω F′ + m ω² F″), where F is the force of the drive.
     Compliance,
 }
 
-/// Terms of the model for a machine and its log: the parameters in the scene, the friction of the guide, and the zero of the load cell.
+/// Terms of the model for a machine and its log. They are parameters in the scene, the friction of the guide, and the zero offset of the
+/// load cell.
 pub(super) fn terms(design: &Design, scene: &Scene) -> Vec<Term> {
     let drive = &design.problem.drive;
     let on_arm = design.cam.follower.is_oscillating();
@@ -208,7 +209,8 @@ pub(super) fn terms(design: &Design, scene: &Scene) -> Vec<Term> {
 pub(super) struct Machine<'a> {
     pub design: &'a Design,
     pub clock: &'a Clock,
-    /// Spring rate per unit of the fitted parameter: 1, or for a hydraulic drive the spring rate per pressure per volume.
+    /// Spring rate per unit of the fitted parameter. It is 1 for a spring. For a hydraulic drive, it is the spring rate divided by the
+    /// pressure per volume P/V.
     spring_unit: f64,
     /// Gravitational acceleration g, m/s².
     gravity: f64,

@@ -1,7 +1,8 @@
 //! Slope of the motor line and inertia of the shaft, from the energy balance of the cycle, for logs with measured speed.
 //!
-//! The balance is T = J α + F v, plus friction. If the log contains the torque, the balance gives J and the mean friction. Otherwise the line T = T₀
-//! − d ω of the motor in the scene replaces the torque: −F v = J α + d (ω − ω̄) − T̄.
+//! The balance is T = J α + F v, plus friction. T is the torque at the camshaft, J the inertia, α the angular acceleration, F the force and
+//! v the velocity ds/dθ. If the log contains the torque, the balance gives J and the mean friction. Otherwise the line T = T₀ − d ω of the
+//! motor in the scene replaces the torque. The balance is then −F v = J α + d (ω − ω̄) − T̄, with the mean speed ω̄ and the mean torque T̄.
 
 use super::cycles::derivative;
 use super::fit::fit;
@@ -47,9 +48,9 @@ fn of_run(design: &Design, fitted: &Fitted, place: usize) -> Vec<Parameter> {
     let inertia = columns(&|i| speed(i) * slope[i], true);
     let constant = columns(&|_| 1.0, torque.is_some());
     let line = columns(&|i| speed(i) - run.cycles.speed, true);
-    // Zero of the load cell; without this column, the other columns would represent it.
+    // Column for the zero offset of the load cell. Without it, the other columns would represent this offset.
     let bias = columns(&|i| law.svaj(angle(i)).v, false);
-    // Work of the force along the law in every cycle.
+    // Torque F·v that the force requires at the camshaft, for every cycle.
     let load = |force: &[f64]| {
         let force = clock.at_angles(force);
         let power: Vec<f64> = (0..ANGLES)

@@ -85,8 +85,8 @@ pub(super) fn next_run(
     best
 }
 
-/// Jacobian of a run, and the minimum force of the run, N. The columns belong to the parameters and to `count` unknown phase shifts. `rate` gives
-/// the phase delay per unit of a shift, rad. The rows are the harmonics of the log `place`.
+/// Jacobian of a run, and the minimum force of the run, N. The columns belong to the parameters and to `count` unknown phase shifts. `rate`
+/// gives the phase delay per unit of a shift, rad. The rows are the harmonics of the mean cycle, as many as for the log `place`.
 fn jacobian(
     design: &Design,
     scene: &Scene,
@@ -130,7 +130,7 @@ fn narrowed(fitted: &Fitted, information: &DMatrix<f64>, open: &[&Parameter]) ->
     let cycles = fitted.fit.measured.iter().map(|m| m.each.len() - 1).sum();
     let variances = fitted.fit.measured.iter().flat_map(|m| m.variance());
     let noise = t95(cycles) * variances.fold(0.0_f64, f64::max).sqrt();
-    // The residual of a further run is assumed to have as many harmonics as those of the logs.
+    // A further run is assumed to have as many residual harmonics as each log, on average.
     let runs = fitted.runs.len();
     let harmonics = fitted.fit.harmonics * (runs + 1) / runs;
     let doubt = t95(harmonics) * fitted.fit.component.sqrt();

@@ -20,13 +20,13 @@ pub struct Parameter {
     /// Key of the scene, or `log.…` and `guide.…` for parameters without a key: `log.bias` (N), `log.delay` (s), `log.scale`, `guide.damping`
     /// (N·s/m), `guide.friction` (N).
     pub key: &'static str,
-    /// Most likely value, in SI units.
+    /// Estimated value, in SI units.
     pub value: f64,
     /// Lower end of the 95 % confidence interval; `None` if unbounded.
     pub low: Option<f64>,
     /// Upper end of the 95 % confidence interval; `None` if unbounded.
     pub high: Option<f64>,
-    /// Whether the logs identify the parameter.
+    /// Whether the logs identify the parameter. The interval of an identified parameter excludes 0 and is not wider than half the value.
     pub identifiable: bool,
 }
 

@@ -11,12 +11,12 @@ pub(super) const LEAST_CYCLES: usize = 3;
 /// Maximum change of the speed over the log, relative to the mean. With a larger change, the phase of harmonic 5 is undetermined, and the log is
 /// rejected.
 pub(super) const DRIFT: f64 = 0.01;
-/// Number of time cells per expected cycle in the search for the period.
+/// Number of equal time intervals per expected cycle in the search for the period.
 const CELLS: usize = 64;
 const RANGE: [f64; 2] = [0.55, 1.8];
 /// Minimum autocorrelation for which a force counts as periodic.
 const REPEATS: f64 = 0.5;
-/// Ratio of the longest time step to the mean of the other steps above which it is a pause of the recorder.
+/// Length of a time step, divided by the mean of the other steps, above which the step is a pause of the recorder.
 const PAUSE: f64 = 20.0;
 
 /// Error for a log without a periodic force near this speed, rad/s.
@@ -40,7 +40,7 @@ pub(super) fn period(log: &Log, time: &[f64], expected: f64) -> Result<f64> {
     }
     check_gaps(log, time, expected)?;
     let none = || log.refused(no_cycle(TAU / expected));
-    // With fewer than two samples per cycle, no cycle is detectable, and the number of cells would be unlimited.
+    // With fewer than two samples per cycle, no cycle is detectable, and the number of time intervals would be unlimited.
     if length / expected > 0.5 * time.len() as f64 {
         return Err(none());
     }
@@ -111,8 +111,8 @@ fn cells(time: &[f64], force: &[f64], step: f64) -> Vec<f64> {
     sums.into_iter().map(&mut fill).collect()
 }
 
-/// Lag with the maximum autocorrelation of a force, in cells, and this autocorrelation. Of several lags with nearly the same autocorrelation, the
-/// shortest is selected.
+/// Lag with the maximum autocorrelation of a force, in time intervals, and this autocorrelation. Of several lags with nearly the same
+/// autocorrelation, the shortest is selected.
 fn repeats(cells: &[f64], lags: std::ops::RangeInclusive<usize>) -> Option<(f64, f64)> {
     let mean = cells.iter().sum::<f64>() / cells.len() as f64;
     let correlation = |lag: usize| {

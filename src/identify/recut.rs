@@ -42,8 +42,8 @@ const ROUNDS: usize = 2;
 pub struct Recut {
     /// RMS difference between repeatable force and target, N. On a moving axis, the mean is excluded because it is the weight.
     pub before_rms_n: f64,
-    /// Predicted RMS force error of the new cam, N. It contains the remaining noise, the effect of the limits, the harmonics that are not
-    /// corrected, and the friction, whose sign changes at other angles than before.
+    /// Predicted RMS force error of the new cam, N. It contains the remaining noise, the effect of the limits and the harmonics that are
+    /// not corrected. It also contains the friction, which changes its sign at other angles than before.
     pub predicted_rms_n: f64,
 }
 
@@ -61,8 +61,11 @@ const OTHER_SPEED: f64 = 0.1;
 ///
 /// # Errors
 ///
-/// The errors of [`super::identify`]; the design has no target; no log is within 10 % of the speed of the design; the residual is only noise; errors
-/// of the new design.
+/// - The errors of [`super::identify`].
+/// - The design has no target.
+/// - No log is within 10 % of the speed of the design.
+/// - The residual is only noise.
+/// - The errors of the new design.
 pub fn recut(
     design: &Design,
     scene: &Scene,
@@ -87,7 +90,8 @@ pub fn recut(
     let count = measured.mean.len();
     let noise = measured.variance();
     let from = usize::from(design.problem.drive.kind == DriveKind::MovingAxis);
-    // The required force is a function of time. Over the cam angle it differs from that of the design if the speed varies differently.
+    // The required force is a function of time. As a function of the cam angle, it differs from the target of the design if the speed
+    // varies differently.
     let in_time = design.target_in_time().unwrap_or(target);
     let wanted: Vec<f64> = clock.time.iter().map(|t| in_time.at(*t)).collect();
     let taken = (0..ANGLES).map(|i| target.at(angle(i)));
@@ -120,7 +124,7 @@ pub fn recut(
         .filter(|(i, t)| t.effect == Effect::Coulomb && !found.parameters[*i].identifiable)
         .map(|(i, t)| (fitted.fit.each[i].value - t.nominal, t));
     let rubbing: Vec<(f64, &Term)> = used.iter().copied().chain(rubbing).collect();
-    // Change of the force by the parameters under the law of a design.
+    // Force change caused by the parameter changes, for the law of a design.
     let changed_by = |terms: &[(f64, &Term)], of: &Design| -> Vec<f64> {
         let machine = Machine::new(of, scene, clock);
         let mut sum = vec![0.0; ANGLES];
@@ -148,7 +152,7 @@ pub fn recut(
         }
         made = synth::design(&Problem::resolve(&next, force)?, search)?;
     }
-    // Change by the parameters under the last law, minus the change for which it was designed.
+    // Difference of the force changes under the new and the previous law, minus the part for which the new law was designed.
     let [now, before_it] = [&made, design].map(|of| changed_by(&rubbing, of));
     let taken = |i: usize| {
         made.problem.learned_force(angle(i)) - design.problem.learned_force(angle(i)) - own[i]
@@ -203,7 +207,7 @@ fn spread(values: &[f64], from: usize) -> f64 {
     (square - without).max(0.0).sqrt()
 }
 
-/// RMS of the repeatable part of harmonics: the variance of the noise is subtracted.
+/// RMS of the repeatable part of harmonics. The variance of the noise is subtracted from the mean square.
 fn repeated(harmonics: &[f64], noise: &[f64], from: usize) -> f64 {
     let scatter = 0.5 * noise[1..].iter().sum::<f64>() + if from == 0 { noise[0] } else { 0.0 };
     (rms(harmonics, from).powi(2) - scatter).max(0.0).sqrt()

@@ -17,10 +17,11 @@ use crate::units::Quantity;
 pub(super) const LONGEST_DELAY: f64 = 0.05;
 /// Minimum fraction of the energy of the alternating force that the harmonics must contain.
 const HELD: f64 = 0.999;
-/// Range of the ratio of measured to modelled force, for the alternating and the mean force. Outside this range, the log has another unit or belongs
-/// to another machine.
+/// Range of the ratio of measured to modelled force, for the alternating and the mean force. A ratio outside this range indicates another
+/// unit or another machine.
 const SIZES: [f64; 2] = [0.4, 2.5];
-/// Ratio of the alternating force to that of the model below which it counts as zero.
+/// Ratio of measured to modelled alternating force below which the measured alternating force counts as zero. Another unit of the force is
+/// tried first.
 const NO_FORCE: f64 = 0.02;
 /// Common units of load cells, each with its value in N. They are tried if the magnitude of the measured force does not fit the machine.
 const UNITS: [(&str, f64); 5] = [
@@ -34,7 +35,7 @@ const SAME_UNIT: f64 = 0.25;
 
 /// Cycles of one log, with the columns of the linear model in the motion of the log.
 pub(super) struct Run {
-    /// Name of the log.
+    /// Name of the log in messages: the file name without folders.
     pub name: String,
     pub cycles: Cycles,
     pub clock: Clock,

@@ -12,7 +12,8 @@ use crate::scene::{Scene, keys};
 use crate::synth::Design;
 use crate::units::{Dimension, Quantity};
 
-/// Difference between two estimates above which the logs are from different machines, relative to the sum of the half widths of their 95 % intervals.
+/// Difference between two estimates, divided by the sum of the half widths of their 95 % intervals, above which the logs are from different
+/// machines.
 const APART: f64 = 1.5;
 
 /// Rejects logs that no common set of parameters fits. `together` is the joint fit of all logs, and `alone` the separate fit of each log.

@@ -6,8 +6,8 @@ use super::{Law, Svaj};
 const TOGETHER: usize = 8;
 
 impl Law {
-    /// Lift and derivatives at several ascending angles within the extent of the law, rad. The results are bitwise identical to those of
-    /// [`Law::svaj`].
+    /// Lift and derivatives at several ascending angles within the extent of the law, rad. The results equal the results of [`Law::svaj`]
+    /// bit by bit.
     pub(crate) fn svaj_along(&self, angles: &[f64]) -> Vec<Svaj> {
         let breaks = self.breaks();
         let mut out = Vec::with_capacity(angles.len());
@@ -96,7 +96,7 @@ mod tests {
         for law in [double, harmonic] {
             for n in [1, 7, 720, 1001] {
                 let even = (0..n).map(|i| TAU * f64::from(i) / f64::from(n));
-                // Breaks themselves, too.
+                // The breaks themselves are also tested.
                 let mut angles: Vec<f64> = even.chain(law.breaks().iter().copied()).collect();
                 angles.retain(|theta| *theta < TAU);
                 angles.sort_by(f64::total_cmp);

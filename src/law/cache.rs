@@ -8,7 +8,7 @@ use crate::poly::Extreme;
 /// Pair of minimum and maximum.
 pub type Extremes = (Extreme, Extreme);
 
-/// Cached properties of a law. Clones share the cache; comparisons of laws ignore it.
+/// Cached properties of a law. Clones share the cache. Comparisons of laws ignore it.
 #[derive(Debug, Clone, Default)]
 pub struct Cache(Arc<Cached>);
 
@@ -42,7 +42,7 @@ impl Cache {
         }))
     }
 
-    /// Cached extremes; `search` computes them on the first request.
+    /// Cached extremes. `search` computes them on the first request.
     pub fn extremes(&self, weights: [f64; 4], search: impl FnOnce() -> Extremes) -> Extremes {
         let cached = self.0.extremes.lock().ok().and_then(|list| {
             let same = list.iter().find(|(key, _)| *key == weights);
@@ -57,12 +57,12 @@ impl Cache {
         })
     }
 
-    /// Cached joints; `find` computes them on the first request.
+    /// Cached joints. `find` computes them on the first request.
     pub fn joints(&self, find: impl FnOnce() -> Vec<Joint>) -> &[Joint] {
         self.0.joints.get_or_init(find)
     }
 
-    /// Cached scaled coefficients; `find` computes them on the first request.
+    /// Cached scaled coefficients. `find` computes them on the first request.
     pub fn scaled(&self, find: impl FnOnce() -> [Vec<f64>; 4]) -> &[Vec<f64>; 4] {
         self.0.scaled.get_or_init(find)
     }

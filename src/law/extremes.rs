@@ -1,5 +1,5 @@
-//! Extremes, jumps and scaled coefficients of a law, computed once and cached. The extremes are those of the law and of linear combinations of its
-//! derivatives.
+//! Extremes, jumps and scaled coefficients of a law, computed once and cached. Extremes are available for the law and for linear
+//! combinations of its derivatives.
 
 use std::f64::consts::TAU;
 

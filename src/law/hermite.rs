@@ -22,7 +22,7 @@ use nalgebra::{DMatrix, DVector};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Condition {
-    /// Angle of the condition, rad.
+    /// Angle at which the condition applies, rad.
     pub theta: f64,
     /// Order of the derivative: 0 = lift, 1 = velocity, 2 = acceleration, 3 = jerk, …
     pub order: usize,
@@ -50,8 +50,12 @@ const RANK: f64 = 1e-14;
 /// ```
 ///
 /// # Errors
-/// No conditions; an angle outside the interval; two conditions on the same derivative at the same angle; an order above the degree; conditions that
-/// do not determine a polynomial (possible if orders are skipped).
+///
+/// - There are no conditions.
+/// - An angle is outside the interval.
+/// - Two conditions prescribe the same derivative at the same angle.
+/// - An order is above the degree.
+/// - The conditions do not determine a polynomial, which is possible if orders are skipped.
 pub fn hermite_birkhoff(conditions: &[Condition], start: f64, end: f64) -> Result<PiecewisePoly> {
     check(conditions, start, end)?;
     let n = conditions.len();
@@ -202,7 +206,7 @@ mod tests {
         let code = |c: &[Condition]| hermite_birkhoff(c, 0.0, 1.0).unwrap_err().code();
         assert_eq!(code(&[]), "law-no-condition");
         assert_eq!(code(&[on(0.0, 1, 1.0), on(1.0, 1, 0.0)]), "law-not-fixed");
-        // Birkhoff's own: s at both ends and v at the middle leave a parabola free.
+        // Birkhoff's example: s at both ends and v at the middle do not determine a parabola.
         let middle = [on(0.0, 0, 0.0), on(0.5, 1, 1.0), on(1.0, 0, 0.0)];
         assert_eq!(code(&middle), "law-not-fixed");
         let twice = [on(0.0, 0, 0.0), on(0.0, 0, 1.0)];

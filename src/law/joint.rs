@@ -19,7 +19,7 @@ use super::svaj::Svaj;
 pub struct Joint {
     /// Angle of the break, rad.
     pub at: f64,
-    /// Motion on both sides of the break.
+    /// Lift and derivatives before and after the break.
     pub sides: [Svaj; 2],
     /// Jumps of s, v, a, j at the break.
     pub jump: Svaj,

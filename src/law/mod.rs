@@ -56,9 +56,9 @@ pub struct Law {
     cache: Cache,
 }
 
-/// Number of spans from which the derivatives of a closed spline have their own coefficients. If the jerk is computed from the lift's coefficients,
-/// its rounding error is larger by a factor of (spans per turn)³. With fewer spans, all of several hundred random scenes were certified; with 40 to
-/// 100 spans, 1 in 40 was not.
+/// Minimum number of spans for which the derivatives of a closed spline have their own coefficients. If the jerk is computed from the
+/// lift's coefficients, its rounding error is larger by a factor of (spans per turn)³. Without own coefficients, all of several hundred
+/// random designs with fewer spans were certified. With 40 to 100 spans, 1 design in 40 was not certified.
 pub(crate) const MANY_SPANS: usize = 40;
 
 impl Law {
@@ -152,7 +152,7 @@ impl Law {
         self.poly.breaks()
     }
 
-    /// Polynomial part of the lift.
+    /// Polynomial part of the lift, without sinusoids.
     pub fn poly(&self) -> &PiecewisePoly {
         &self.poly
     }
@@ -162,7 +162,7 @@ impl Law {
         self.waves.get(i).map_or(&[], Vec::as_slice)
     }
 
-    /// Whether the law is periodic; its period is its extent.
+    /// Whether the law is periodic. The period of a periodic law is its extent.
     pub fn is_closed(&self) -> bool {
         self.closed
     }
@@ -190,8 +190,8 @@ impl Law {
         self.svaj_on(i, u)
     }
 
-    /// Span that contains an angle, and the position u ∈ [0, 1] on this span. At a break, and within rounding errors before it, the next span is
-    /// used. All rows of all tables are therefore on the same side of a jump.
+    /// Span that contains an angle, and the position u ∈ [0, 1] on this span. At a break, and within rounding errors before it, the next
+    /// span is used. All tables therefore contain the values on the same side of a jump.
     fn place(&self, theta: f64) -> (usize, f64) {
         let (i, u) = self.poly.locate(theta);
         let breaks = self.poly.breaks();
@@ -282,7 +282,7 @@ impl Law {
             .fold(0.0, f64::max)
     }
 
-    /// The law with `ds` added to its lift.
+    /// The law with the constant `ds`, m, added to its lift.
     #[must_use]
     pub fn raised(&self, ds: f64) -> Self {
         let poly = PiecewisePoly::combine(&[(1.0, &self.poly)], ds);

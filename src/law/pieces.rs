@@ -3,7 +3,7 @@
 use super::{Law, Wave};
 use crate::poly::{PiecewisePoly, bernstein};
 
-/// A law under construction.
+/// A law under construction, to which spans are added in ascending order.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Pieces {
     breaks: Vec<f64>,
@@ -19,7 +19,7 @@ impl Pieces {
         }
     }
 
-    /// End angle of the last span; without spans, the start of the law.
+    /// End angle of the last span, rad. Without spans, it is the start of the law.
     pub fn reached(&self) -> f64 {
         self.breaks[self.breaks.len() - 1]
     }
@@ -103,7 +103,7 @@ impl Pieces {
         }
     }
 
-    /// Law that consists of the spans; it must have at least one.
+    /// Law that consists of the spans. At least one span is necessary.
     pub fn finish(self, closed: bool) -> Law {
         let degree = self.coef.iter().map(|c| c.len() - 1).max().unwrap_or(0);
         let elevated = self.coef.iter().flat_map(|c| bernstein::elevate(c, degree));

@@ -36,7 +36,7 @@ pub enum Rise {
     Cubic,
     /// Simple harmonic: ½(1 − cos πx).
     SimpleHarmonic,
-    /// Double harmonic: ½[(1 − cos πx) − ¼(1 − cos 2πx)]. The acceleration vanishes only at the low end; a fall is the mirror image.
+    /// Double harmonic: ½[(1 − cos πx) − ¼(1 − cos 2πx)]. The acceleration vanishes only at the low end. A fall is the mirror image.
     DoubleHarmonic,
     /// Cycloidal: x − sin(2πx)/2π.
     Cycloidal,
@@ -67,8 +67,8 @@ pub enum Rise {
     Poly4567,
     /// Polynomial 5-6-7-8-9: 126x⁵ − 420x⁶ + 540x⁷ − 315x⁸ + 70x⁹.
     Poly56789,
-    /// A polynomial of degree 5 (or 7) with the same s, v, a (and j) at its ends as its neighbours. Between dwells it equals polynomial 3-4-5
-    /// (4-5-6-7).
+    /// A polynomial of degree 5 or 7 that continues the motion of its neighbours. Degree 5 matches s, v and a at both ends. Degree 7 also
+    /// matches j. Between dwells it equals polynomial 3-4-5 or 4-5-6-7.
     Polynomial {
         /// Degree of the polynomial: 5 or 7.
         degree: usize,
@@ -170,8 +170,9 @@ impl Rise {
     ///
     /// # Errors
     ///
-    /// The name is unknown (with the nearest known name). Parameters are not numbers, too many or out of range. A file is given instead of numbers;
-    /// [`scene::with_motions`](crate::scene::with_motions) reads such files.
+    /// - The name is unknown. The error suggests the most similar name.
+    /// - Parameters are not numbers, too many, or out of range.
+    /// - A file is given instead of numbers. [`scene::with_motions`](crate::scene::with_motions) reads such files.
     pub fn from_name(text: &str) -> Result<Rise> {
         if let Some(file) = Rise::named_file(text) {
             let (motion, file) = ("table".to_string(), file.to_string());

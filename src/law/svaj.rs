@@ -1,6 +1,7 @@
 //! Lift and derivatives at one angle.
 
-/// Lift and its first three derivatives with respect to the cam angle: m, m/rad, m/rad², m/rad³ (for an oscillating follower rad instead of m).
+/// Lift and its first three derivatives with respect to the cam angle. Their units are m, m/rad, m/rad² and m/rad³. For an oscillating
+/// follower, rad replaces m.
 ///
 /// ```
 /// use gaitcam::law::Law;
@@ -11,7 +12,7 @@
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Svaj {
-    /// Lift s(θ), m.
+    /// Lift s(θ), m (oscillating follower: rad).
     pub s: f64,
     /// Velocity v = ds/dθ, m/rad.
     pub v: f64,

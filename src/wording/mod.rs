@@ -98,8 +98,8 @@ fn spanish_names(known: &[&'static str]) -> Vec<(String, &'static str)> {
     known.iter().map(name).chain(others).collect()
 }
 
-/// The known word with the name that is most similar to a typed name; `None` without a similar name. The typed name is compared first with
-/// the words, then with the parts of their names in both languages, and then with the complete names.
+/// The known word with the name that is most similar to a typed name. `None` if no name is similar. The typed name is compared first with
+/// the words, then with the parts of their names in both languages. Finally, it is compared with the complete names.
 pub(crate) fn nearest_in_languages(typed: &str, known: &[&'static str]) -> Option<&'static str> {
     if let Some(word) = nearest(typed, known.iter().copied()) {
         return Some(word);
@@ -114,7 +114,7 @@ pub(crate) fn nearest_in_languages(typed: &str, known: &[&'static str]) -> Optio
     let meant: Vec<&str> = parts(&typed)
         .filter_map(|part| nearest(part, every()))
         .collect();
-    // Matching parts of a name, per thousand.
+    // Number of matching parts of a name, divided by the number of its parts, in thousandths.
     let alike = |name: &str| {
         let found = parts(name).filter(|part| meant.contains(part)).count();
         1000 * found / parts(name).count().max(1)

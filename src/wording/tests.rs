@@ -25,7 +25,7 @@ use strum::{EnumCount, VariantNames};
 
 use gaitcam_test_support::words::assert_same_messages;
 
-/// Areas with the variants of their messages. An area that is missing here fails the test below.
+/// Areas with the variants of their messages. A missing area makes the test below fail.
 fn areas() -> Vec<(&'static str, &'static [&'static str])> {
     vec![
         ("cam", CamError::VARIANTS),
@@ -66,7 +66,7 @@ fn every_code_has_a_sentence_and_every_sentence_a_code() {
     for (area, variants) in areas() {
         codes.extend(variants.iter().map(|v| format!("{area}-{v}")));
     }
-    // What each key of a scene means.
+    // Descriptions of the keys of a scene.
     codes.extend(
         KEYS.iter()
             .map(|k| format!("key-{}", k.path.replace('.', "-"))),
@@ -158,7 +158,7 @@ fn spanish_sentences_have_spanish_names_and_a_decimal_comma() {
         said.contains("carrera") && said.contains("30,5 mm"),
         "{said}"
     );
-    // What is typed into a scene stays as it is.
+    // Words from a scene are not translated.
     let error = SceneError::UnknownWord {
         word: "splin".to_string(),
         nearest: Some("spline".to_string()),
@@ -196,7 +196,7 @@ fn spanish_names_of_laws_and_followers_are_values_of_a_scene() {
     for (word, kind) in called.chain(others) {
         match scene.with("cam.follower", &word) {
             Ok(read) => assert_eq!(read.cam.follower, kind, "{word}"),
-            // A follower that is read may lack its lengths.
+            // A recognised follower may still lack its lengths.
             Err(e) => assert_ne!(e.code(), "scene-unknown-word", "{word}: {e}"),
         }
     }

@@ -16,7 +16,7 @@ use super::{Language, Messages, catalogue, degrees, number, quantity, range};
 pub struct Words(&'static Messages);
 
 impl Words {
-    /// Gives access to the messages of one catalogue.
+    /// Creates the texts for the messages of one catalogue.
     pub fn new(own: &'static Messages) -> Self {
         Words(own)
     }
@@ -39,7 +39,7 @@ impl Words {
         }
     }
 
-    /// A number with a fixed number of decimals and the decimal separator of the language; zero has no sign.
+    /// A number with a fixed number of decimals and the decimal separator of the language. Zero has no sign.
     pub fn fixed(&self, value: f64, decimals: usize) -> String {
         self.0.fixed(value, decimals)
     }
@@ -67,7 +67,7 @@ impl Words {
         range(self.language(), low, high)
     }
 
-    /// A length in m, displayed in the unit of lengths; values below a picometre are 0.
+    /// A length in m, displayed in the unit of lengths. Values below a picometre are displayed as 0.
     pub fn length(&self, length: f64) -> String {
         let length = if length.abs() < 1e-12 { 0.0 } else { length };
         quantity(self.language(), length, "m")
@@ -86,7 +86,7 @@ impl Words {
     /// Text of the message `key` with these arguments, which are inserted unchanged.
     pub fn fill(&self, key: &str, arguments: &[(&str, &str)]) -> String {
         let values = arguments.iter().map(|&(name, text)| {
-            // Whole numbers select plural forms.
+            // Whole numbers are passed as numbers, because they select plural forms.
             let value = text.parse::<i64>().map_or(Value::from(text), Value::from);
             (name.to_string(), value)
         });

@@ -1,7 +1,7 @@
 //! Approximation of the profile by circular arcs within a given tolerance.
 //!
-//! Two points of the profile, with their exact tangents, are joined by a biarc: two arcs with a common tangent where they meet. An interval whose
-//! biarc exceeds the tolerance is halved.
+//! Two points of the profile, with their exact tangents, are joined by a biarc. A biarc consists of two arcs with a common tangent where
+//! they meet. An interval whose biarc exceeds the tolerance is halved.
 
 use gaitcam::cam::Cam;
 use gaitcam::synth::{Edge, EdgePoint};
@@ -19,8 +19,8 @@ const FLAT: f64 = 1e-10;
 /// Curve of consecutive circular arcs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Arcs {
-    /// Vertices x, y (m) and the bulge of the following edge: tan of a quarter of the arc's angle, positive counter-clockwise. For an open chain, the
-    /// last bulge is 0.
+    /// Vertices x, y (m) and the bulge of the following edge. The bulge is the tangent of a quarter of the arc's angle, positive
+    /// counter-clockwise. For an open chain, the last bulge is 0.
     pub vertices: Vec<[f64; 3]>,
     /// Whether the last edge ends at the first vertex.
     pub closed: bool,
@@ -46,8 +46,8 @@ impl Arcs {
             let widest = libm::acos((1.0 - distance / radius).clamp(-1.0, 1.0));
             let parts = (half.abs() / widest).ceil().max(1.0);
             for k in 1..parts as usize {
-                // The point at the fraction f of the arc has the distance sin(f h)/sin(h) chords from the start. Its direction is that of the chord,
-                // rotated by (f − 1) h.
+                // The point at the fraction f of the arc has the distance sin(f h)/sin(h) chords from the start. Its direction is the
+                // direction of the chord, rotated by (f − 1) h.
                 let along = k as f64 / parts * half;
                 let (long, (sin, cos)) = (
                     libm::sin(along) / libm::sin(half),
@@ -78,7 +78,7 @@ pub fn fit(cam: &Cam, tolerance: f64) -> Option<Arcs> {
     along(&Edge::of(cam), tolerance)
 }
 
-/// Approximates an edge, which may be open, by circular arcs within `tolerance` m. `None` in the cases of [`fit`].
+/// Approximates an edge, which may be open, by circular arcs within `tolerance` m. `None` under the conditions given for [`fit`].
 pub(super) fn along(edge: &Edge, tolerance: f64) -> Option<Arcs> {
     let sensible = tolerance.is_finite() && tolerance > 0.0;
     if !sensible || edge.is_undercut() {
@@ -115,7 +115,7 @@ fn follow(
 ) -> Option<()> {
     let biarc = Biarc::between(from, to);
     let circles = biarc.circles();
-    // The maximum distance, or the first one above the tolerance.
+    // Maximum distance between profile and biarc at `count` points, or the first distance above the tolerance.
     let stray = |count: usize| {
         let mut most: f64 = 0.0;
         for k in 1..count {
@@ -162,7 +162,7 @@ impl Biarc {
         let joint = [0, 1].map(|k| 0.5 * (from.p[k] + d * from.t[k] + to.p[k] - d * to.t[k]));
         let first = [joint[0] - from.p[0], joint[1] - from.p[1]];
         let second = [to.p[0] - joint[0], to.p[1] - joint[1]];
-        // The angle between chord and tangent is half the angle of the arc; the bulge is the tangent of a quarter of this angle.
+        // The angle between chord and tangent is half the angle of the arc. The bulge is the tangent of a quarter of the arc's angle.
         let bulge = |a: [f64; 2], b: [f64; 2]| libm::tan(0.5 * libm::atan2(cross(a, b), dot(a, b)));
         let arms = [
             to.p[0] - d * to.t[0] - from.p[0] - d * from.t[0],

@@ -34,14 +34,14 @@ pub enum Gouge {
     Elsewhere {
         /// Cam angle of the point that is cut, rad.
         at: f64,
-        /// Cam angle of the damaged point, rad.
+        /// Cam angle of the damaged point of the profile, rad.
         damaged: f64,
-        /// Depth of the damage, m.
+        /// Depth by which the cutter penetrates the profile, m.
         depth: f64,
     },
     /// The profile is undercut, so no cutter can produce it.
     Undercut {
-        /// Cam angle of the cusp, rad.
+        /// Cam angle at the minimum convex radius, where the profile is undercut most, rad.
         at: f64,
     },
 }
@@ -57,8 +57,9 @@ pub struct CutterPath {
 
 /// Path of a cutter of radius `tool` (m) around the outside of the cam.
 ///
-/// The path is the parallel curve of the profile at the distance `tool`, along the exact normals, at `points` equal steps of the cam angle. Damage
-/// in concave parts is detected from the exact curvature. Damage at other places is detected only at the `points` of the profile.
+/// The path is the parallel curve of the profile at the distance `tool`, along the exact normals, at `points` equal steps of the cam angle.
+/// Damage in concave parts is detected from the exact curvature. Without such damage, damage at other places is detected at the `points` of
+/// the profile.
 ///
 /// # Errors
 ///
@@ -118,8 +119,8 @@ pub(crate) fn positive(radius: f64) -> Result<f64> {
     .into())
 }
 
-/// Position on the path at which the cutter penetrates deepest into the profile. Returns the index of the point that is cut, the index of the damaged
-/// point, and the depth in m. `None` if the cutter does not damage the profile.
+/// Deepest penetration of the cutter into the profile. Returns the index of the point that is cut, the index of the damaged point, and the
+/// depth in m. `None` if the cutter does not damage the profile.
 fn deepest(path: &[CutterPoint], profile: &[[f64; 2]], tool: f64) -> Option<(usize, usize, f64)> {
     let mut worst: Option<(usize, usize, f64)> = None;
     for (i, c) in path.iter().enumerate() {

@@ -1,8 +1,9 @@
 //! Export of a designed cam to files for CAD, printing and machining.
 //!
-//! A [`Design`](gaitcam::synth::Design) has one or more edges to cut ([`Edge`](gaitcam::synth::Edge)): the profile of a disc, both profiles of a
-//! conjugate pair, or the walls of a barrel's groove. Every exporter is a pure function from the design to the bytes of one file at true scale.
-//! Lengths are in millimetres; DXF files, drawings and programs can have other [`Units`]. The bytes of the files are equal for equal designs.
+//! A [`Design`](gaitcam::synth::Design) has one or more edges to cut ([`Edge`](gaitcam::synth::Edge)): the profile of a disc, both profiles
+//! of a conjugate pair, or the walls of a barrel's groove. Every exporter is a pure function from the design to the bytes of one file at
+//! true scale. Lengths are in millimetres. DXF files, drawings and programs can have other [`Units`]. The bytes of the files are equal for
+//! equal designs.
 //!
 //! | module | output | accuracy |
 //! |---|---|---|

@@ -1,4 +1,4 @@
-//! Additions to drawings of the outline: names of layers, marks, and the arrow of rotation.
+//! Additions to drawings of the outline: identifiers of layers, marks, and the arrow of rotation.
 
 use gaitcam::synth::Design;
 
@@ -11,8 +11,8 @@ pub fn id(layer: &str) -> String {
     name.to_lowercase().replace('_', "-")
 }
 
-/// Reference lines of the drawing, each with its layer and its end points (m). They mark the centre of a disc, the foot of a translating cam, and
-/// the start of each turn of an unrolled barrel.
+/// Reference lines of the drawing, each with its layer and its end points (m). They mark the centre of a disc, the foot of a translating
+/// cam, or the ends of each turn of an unrolled barrel.
 pub fn marks(synthesis: &Design) -> Vec<(&'static str, [[f64; 2]; 2])> {
     let follower = &synthesis.cam.follower;
     let (start, length) = synthesis.cam.law.extent();
@@ -49,17 +49,17 @@ pub struct Arrow {
     pub clockwise: bool,
     /// Radius of the arrow's arc, in the unit of the radii given to [`Arrow::new`].
     pub radius: f64,
-    /// Start and tip of the arrow.
+    /// Start and tip of the arrow, in the unit of `radius`.
     pub ends: [[f64; 2]; 2],
-    /// Ends of the two strokes of the arrow's head.
+    /// Ends of the two strokes of the arrow's head, in the unit of `radius`.
     pub head: [[f64; 2]; 2],
 }
 
 impl Arrow {
-    /// Angle of the arc, rad.
+    /// Angle of the arrow's arc, rad.
     pub const ANGLE: f64 = std::f64::consts::FRAC_PI_3;
 
-    /// Arrow whose arc is halfway between bore and base circle; `base` and `bore` are their radii, in any unit.
+    /// Arrow whose arc is halfway between bore and base circle. The radii `base` and `bore` are in any common unit.
     pub fn new(base: f64, bore: f64, clockwise: bool) -> Self {
         let radius = 0.5 * (base + bore);
         let sense = if clockwise { -1.0 } else { 1.0 };

@@ -16,7 +16,7 @@ const MARGIN: f64 = 5.0;
 /// Drawing of the edges to be cut, the pitch curve, the base and prime circles, and the centre mark. Printed at 100 %, the drawing has the size of
 /// the cam.
 ///
-/// The edges have `points` vertices at equal steps of the cam angle. Width and height are in mm; the cam's y axis points up.
+/// The edges have `points` vertices at equal steps of the cam angle. Width and height are in mm. The cam's y axis points up.
 pub fn profile(synthesis: &Design, points: usize) -> String {
     let follower = &synthesis.cam.follower;
     let edges = Edge::all(synthesis).into_iter();

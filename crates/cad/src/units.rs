@@ -33,7 +33,7 @@ impl Units {
         }
     }
 
-    /// Text of a length, given in m, without its unit. `decimals` applies to millimetres; inches have one more decimal.
+    /// Text of a length, given in m, without its unit. `decimals` applies to millimetres. In inches, the text has one more decimal.
     pub fn number(self, length: f64, decimals: usize) -> String {
         let decimals = decimals + usize::from(self == Units::Inches);
         format!("{:.decimals$}", self.per_metre() * length)

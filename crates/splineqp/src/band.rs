@@ -47,7 +47,7 @@ impl ArrowMatrix {
         self.n
     }
 
-    /// Half-bandwidth and number of border rows.
+    /// Half-bandwidth of the leading block and number of border rows.
     pub fn shape(&self) -> (usize, usize) {
         (self.band, self.border)
     }
@@ -72,7 +72,7 @@ impl ArrowMatrix {
     }
 
     /// Adds a symmetric block for the band + 1 unknowns from `first` on. Entry (k, l), l ≤ k, is `block[l*(band+1) + k − l]`, as in the
-    /// layout of the band. Returns whether the block lies in the band; otherwise nothing is added.
+    /// layout of the band. Returns whether the block lies in the band. If it does not, nothing is added.
     pub fn add_block(&mut self, first: usize, block: &[f64]) -> bool {
         let w = self.band + 1;
         if block.len() != w * w || first + w > self.n - self.border {
@@ -231,7 +231,7 @@ fn take_off(from: &mut [f64], other: &[f64], part: f64) {
     }
 }
 
-/// Replaces x by L⁻¹x for the banded block alone; x is zero before `start`.
+/// Replaces x by L⁻¹x for the banded block alone. All entries of x before `start` are zero.
 fn forward_in_band(core: &[f64], w: usize, x: &mut [f64], start: usize) {
     match w {
         QUINTIC => forward_of_width(core, QUINTIC, x, start),
@@ -288,7 +288,7 @@ fn factor_of_width(core: &mut [f64], w: usize) -> Option<()> {
         let inverse = 1.0 / positive_root(column[0])?;
         column[0] = inverse;
         column[1..].iter_mut().for_each(|l| *l *= inverse);
-        // Entries below the last row are zero.
+        // Stored entries below the last row of the matrix are zero.
         for (p, own) in (1..w).zip(later.chunks_exact_mut(w)) {
             take_off(&mut own[..w - p], &column[p..], column[p]);
         }
@@ -313,7 +313,7 @@ impl ArrowFactor {
     pub fn forward(&self, x: &mut [f64]) {
         let a = &self.0;
         let m = a.n - a.border;
-        // Rows of limits have few adjacent entries: everything before the first entry remains zero.
+        // Rows of limits have few adjacent entries. Everything before the first entry remains zero.
         let start = x.iter().position(|v| *v != 0.0).unwrap_or(a.n);
         let start = start.min(m);
         forward_in_band(&a.core, a.band + 1, &mut x[..m], start);

@@ -1,4 +1,4 @@
-//! Basis functions of a law, and linear functionals of a law as rows of weights of its coefficients.
+//! Basis functions of a law. A linear functional of a law is stored as a row of weights, one for each coefficient.
 
 use crate::poly::{PiecewisePoly, SplineSpace, Wave, add_taylor, subdivide};
 use std::f64::consts::TAU;
@@ -138,7 +138,7 @@ impl Basis {
     pub fn row_on(&self, i: usize, u: f64, weights: &[f64]) -> Entries {
         match self {
             Basis::Spline { space, .. } => match space.degree() {
-                // Loops of constant length take a third of the time; quintics are the default.
+                // Loops of constant length take a third of the time. Quintics are the default.
                 5 => row_on_span(space, 5, (i, u), weights),
                 degree => row_on_span(space, degree, (i, u), weights),
             },
@@ -254,8 +254,8 @@ fn differentiate(rows: &mut [f64], n: usize, left: usize) {
     }
 }
 
-/// Converts weights dᵢ of coefficients cᵢ with the sum 0 to weights of the steps cᵢ₊₁ − cᵢ: Σ dᵢ cᵢ = −Σ (d₀ + … + dᵢ)(cᵢ₊₁ − cᵢ). If the
-/// jerk is small relative to the stroke, the sum Σ dᵢ cᵢ would have a large relative rounding error.
+/// Converts weights dᵢ of coefficients cᵢ to weights of the steps cᵢ₊₁ − cᵢ. The sum of the dᵢ must be 0, so Σ dᵢ cᵢ = −Σ (d₀ + … +
+/// dᵢ)(cᵢ₊₁ − cᵢ). If the jerk is small relative to the stroke, the sum Σ dᵢ cᵢ would have a large relative rounding error.
 #[inline(always)]
 pub fn by_steps(weights: &mut [f64]) {
     let mut sum = 0.0;
@@ -272,7 +272,7 @@ pub fn by_steps(weights: &mut [f64]) {
 /// Converts weights of the B-splines on a span to entries with the indices of their coefficients.
 fn on_unknowns(space: &SplineSpace, span: usize, values: &[f64]) -> Entries {
     let (first, all) = (space.index(span, 0), space.dimension());
-    // With few spans, one coefficient may occur twice on a span of a periodic spline: its weights are added.
+    // With few spans, one coefficient may occur twice on a span of a periodic spline. Its weights are then added.
     if values.len() > all {
         let mut out = Entries::with_capacity(all);
         for (i, &value) in values.iter().enumerate() {
@@ -298,7 +298,7 @@ fn bernstein_basis(u: f64, out: &mut [f64]) {
     }
 }
 
-/// Adds one entry to a row; values with the same index are added.
+/// Adds one entry to a row. Values with the same index are added.
 pub fn add(to: &mut Entries, (index, value): (usize, f64)) {
     match to.iter_mut().find(|e| e.0 == index) {
         Some(e) => e.1 += value,
@@ -315,7 +315,7 @@ pub fn dense(entries: &Entries, n: usize) -> Vec<f64> {
     out
 }
 
-/// Value of a row for given coefficients.
+/// Value of the linear functional `entries` for the coefficients x: Σ value·xᵢ.
 #[inline]
 pub fn apply(entries: &Entries, x: &[f64]) -> f64 {
     entries.iter().map(|&(i, v)| v * x[i]).sum()

@@ -1,10 +1,11 @@
 //! Certificate of a law: an upper bound of its distance from the optimum.
 //!
-//! With multipliers λ ≥ 0 of the active rows, the Lagrange dual of the program is a lower bound of its objective. Let r = Hx + g + Eᵀν +
-//! Aᵀλ be the residual of the law x. The difference between the objective and the lower bound is then at most
+//! The active rows aᵢᵀx ≤ bᵢ have the multipliers λ ≥ 0, and the equalities Ex = d have the multipliers ν. With these multipliers, the
+//! Lagrange dual of the program is a lower bound of its objective. Let r = Hx + g + Eᵀν + Aᵀλ be the residual of the law x, where A has the
+//! rows aᵢᵀ. The difference between the objective and the lower bound is then at most
 //!
 //! ```text
-//! gap = Σ λᵢ (bᵢ − aᵢᵀx) − νᵀ(Ex − d) + xᵀr (+ z·y for the cone's own multiplier z)
+//! gap = Σ λᵢ (bᵢ − aᵢᵀx) − νᵀ(Ex − d) + xᵀr (+ z·y for the multiplier z of a cone with the further variables y)
 //! ```
 //!
 //! (Boyd and Vandenberghe, Convex Optimization, §5.5). If H has a Cholesky factor, the quadratic Lagrangian decreases from its value at x
@@ -50,8 +51,8 @@ pub struct Certificate {
     /// Objective minus a lower bound over all laws, relative to the size of the objective. It exceeds the relative gap if the law results
     /// from a sequence of convex programs, which prove only a local optimum. `None` if no such bound is known.
     pub global_gap: Option<f64>,
-    /// Size of the objective: the larger of its value and a millionth of the sum of its terms. The latter is an estimate of the rounding
-    /// error.
+    /// Size of the objective. It is the largest of three numbers: the magnitude of the objective, the sum of the magnitudes of the costs,
+    /// and a millionth of the largest term. The last number estimates the rounding error.
     pub size: f64,
     /// Maximum entry of the gradient of the Lagrangian, relative to the largest term of this gradient.
     pub stationarity: f64,
@@ -96,7 +97,8 @@ pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Ce
     let slack = lagrangian.slack;
     let mut gap = slack + project_off_equalities(program, &mut lagrangian.residual, x);
     let residual = &lagrangian.residual;
-    // The gradient is negligible if it is small relative to its largest term, or if the typical lift along it hardly changes the objective.
+    // The gradient is negligible if it is small relative to its largest term. It is also negligible if a change of every coefficient by the
+    // typical lift leaves the objective practically unchanged.
     let along: f64 = residual.iter().map(|r| r.abs()).sum::<f64>() * program.length;
     let left = largest(residual) / lagrangian.largest_term.max(f64::MIN_POSITIVE);
     let left = left.min(along / size);
@@ -222,7 +224,8 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |m, v| m.max(v.abs()))
 }
 
-/// Size of the objective: its value, or the rounding error of its terms.
+/// Size of the objective: its magnitude, the sum of the magnitudes of the costs, or the fraction `least_objective` of its largest term. The
+/// largest of these numbers is used.
 fn objective_size<N: Names>(program: &Program<N>, x: &[f64], extra: &Values) -> f64 {
     let linear: f64 = program
         .gradient
@@ -232,7 +235,8 @@ fn objective_size<N: Names>(program: &Program<N>, x: &[f64], extra: &Values) -> 
         .sum();
     let costs = || program.cost.iter();
     let beside: f64 = costs().map(|(k, cost)| (cost * extra[k]).abs()).sum();
-    // A variable of typical value and a peak of the scale of its limits are terms too, even if they are 0.
+    // The typical value of a variable counts as a term even if the variable is 0. The scale of the limits with the peak counts in the same
+    // way.
     let sizes = costs().filter(|(k, _)| *k != PEAK);
     let sizes = sizes.map(|(k, cost)| cost.abs() * program.typical(k));
     let peaks = program.limits.iter().filter(|l| l.is_peak());

@@ -8,7 +8,7 @@ use crate::Names;
 
 /// Optimum subject to the equalities only, with the factorised Hessian.
 pub struct Unlimited {
-    /// H, made positive definite by multiples of the outer products of the equalities.
+    /// H, made positive definite by adding multiples of the outer products of the equalities.
     pub hessian: ArrowMatrix,
     /// Cholesky factor of the Hessian.
     pub factor: ArrowFactor,
@@ -49,14 +49,14 @@ pub fn solve<N: Names>(program: &Program<N>) -> Result<Unlimited, Failure<N>> {
     })
 }
 
-/// Weight ρ of the outer products of the equalities, in units of H.
+/// Weight ρ of the normalised outer products of the equalities: the maximum diagonal entry of H, or 1 if H is zero.
 fn penalty<N: Names>(program: &Program<N>) -> f64 {
     let h = program.hessian.largest_diagonal();
     if h > 0.0 { h } else { 1.0 }
 }
 
-/// Equalities at a single angle, whose outer products fit into the band. Equalities on an integral over the law are not included; they are
-/// only part of the dense system.
+/// Equalities at a single angle, whose outer products fit into the band. Equalities on an integral over the law are only part of the dense
+/// system.
 fn local<N: Names>(program: &Program<N>) -> impl Iterator<Item = &Equality<N>> {
     let widest = match &program.basis {
         Basis::Spline { space, .. } => space.degree() + 1,
@@ -107,7 +107,7 @@ pub fn largest_decrease<N: Names>(program: &Program<N>, gradient: &[f64]) -> Opt
     Some(0.5 * whitened.iter().map(|w| w * w).sum::<f64>())
 }
 
-/// Linear part g − ρ Σ value·row of the objective that belongs to the augmented H.
+/// Linear part g − ρ Σ value·row/|row|² of the objective that belongs to the augmented H.
 fn augmented_gradient<N: Names>(program: &Program<N>) -> Vec<f64> {
     let mut g = program.gradient.clone();
     let rho = penalty(program);
@@ -184,8 +184,8 @@ fn correct<N: Names>(
     }
 }
 
-/// Indices of the rows of a symmetric matrix in the order of the pivots of its Cholesky factor. The second list contains the rows whose
-/// pivots would be below `dependent`.
+/// Indices of the rows of a symmetric matrix, ordered by the pivots of its Cholesky factor. The second list contains the rows whose pivots
+/// would be below `dependent`.
 fn by_pivots(mut s: Vec<Vec<f64>>, dependent: f64) -> (Vec<usize>, Vec<usize>) {
     let mut order: Vec<usize> = (0..s.len()).collect();
     for p in 0..s.len() {

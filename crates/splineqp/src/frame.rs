@@ -16,7 +16,7 @@ pub struct Apart {
     pub along: Vec<f64>,
     /// Orthogonal part of the normal.
     pub rest: Vec<f64>,
-    /// Squared length of the orthogonal part.
+    /// Squared length of the orthogonal part `rest`.
     pub left: f64,
 }
 
@@ -125,8 +125,8 @@ impl Frame {
         out
     }
 
-    /// Point of the intersection of all planes that is nearest to `free`, and the displacement from this point to `free` in coordinates of
-    /// Q. R⁻¹ times the displacement gives the multipliers.
+    /// Point nearest to `free` in the intersection of all planes. The second vector is the displacement from this point to `free`, in
+    /// coordinates of Q. R⁻¹ times the displacement gives the multipliers.
     pub fn nearest(&self, free: &[f64], bounds: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let n = free.len();
         let mut away: Vec<f64> = self.q.chunks_exact(n).map(|q| dot(q, free)).collect();

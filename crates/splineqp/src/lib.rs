@@ -8,10 +8,13 @@
 //!            √(2 q(x)) ≤ most                        for each limit on a root mean square
 //! ```
 //!
-//! The law s(θ) = Σ xᵢBᵢ(θ) is a spline or a sum of harmonics with the coefficients x. The further variables y have names. They are, for
-//! example, a minimised peak, sizes in a cone, or ends of ranges. A limit is equivalent to infinitely many rows, one linear inequality for
-//! each θ. The points at which s exceeds a limit most are computed exactly, from the roots of derivatives in Bernstein form. They are added
-//! as rows until no limit is exceeded at any θ. The multipliers of the active rows prove a lower bound of the objective ([`certificate`]).
+//! The law s(θ) = Σ xᵢBᵢ(θ) is a spline or a sum of harmonics with the basis functions Bᵢ and the coefficients x. The further variables y
+//! have names. They are, for example, a minimised peak, a radius, or the lower end of a range of values. The matrices H and E, the vectors
+//! c, d, e and g, and the weights wₖ are constant. The function q is half a mean square of the law.
+//!
+//! A limit is equivalent to infinitely many rows, one linear inequality for each θ. The points at which s exceeds a limit most are computed
+//! exactly, from the roots of derivatives in Bernstein form. They are added as rows until no limit is exceeded at any θ. The multipliers of
+//! the active rows prove a lower bound of the objective ([`certificate`]).
 //!
 //! The caller chooses the types of the names of limits and equalities ([`Names`]). With `()`, the names are strings.
 //!
@@ -33,7 +36,7 @@
 //! | `row_solver` | interface to a solver of programs with finitely many rows |
 //! | `exchange` | iterations of separation and solution |
 //! | `clarabel` | interior-point method, by Clarabel |
-//! | `rms` | limit on a root mean square, by the weight for which it is active |
+//! | `rms` | limit on a root mean square, by a search for its multiplier |
 //! | `refine` | refinement of solution and certificate to rounding, by Newton's method |
 //! | `settings` | tuning constants with reasons |
 //! | `squares` | minimum of the maximum of several squares over a convex hull |
@@ -89,7 +92,7 @@ pub trait Names: std::fmt::Debug + Copy + PartialEq {
     type Limit: std::fmt::Debug + Copy + PartialEq;
     /// Type of the names of equalities.
     type Equality: std::fmt::Debug + Copy + PartialEq;
-    /// Type of the meaning of a bound for the caller, such as the quantity from which the bound is computed.
+    /// Type that records for the caller what a bound means, such as the quantity from which the bound is computed.
     type Meaning: std::fmt::Debug + Copy + PartialEq + Default;
 }
 

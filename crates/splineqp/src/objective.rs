@@ -115,7 +115,7 @@ impl Quadratic {
         self.hessian.add_circulant(&row);
     }
 
-    /// Adds the square ½·factor·(row·x − b)².
+    /// Adds the term ½·factor·(row·x − b)² to the function.
     pub fn add_row(&mut self, row: &Entries, factor: f64, b: f64) {
         self.constant += 0.5 * factor * b * b;
         for (p, &(i, a)) in row.iter().enumerate() {
@@ -126,7 +126,7 @@ impl Quadratic {
         }
     }
 
-    /// Adds ½·factor times the mean square of the derivative of the given order (2 = acceleration … 4).
+    /// Adds ½·factor times the mean square of the derivative of the given order (2 = acceleration, 3 = jerk, 4 = fourth derivative).
     pub fn add_energy(&mut self, basis: &Basis, order: usize, factor: f64) {
         let weights = only(order, factor.sqrt());
         let nodes = match basis {
@@ -174,7 +174,7 @@ pub struct MeanSquare {
     pub whole: Quadratic,
     /// Rows at the quadrature nodes, with their factors and target values.
     nodes: Vec<(Entries, f64, f64)>,
-    /// Constant part that is independent of the law.
+    /// Constant term of the function, independent of the law.
     rest: f64,
 }
 
@@ -232,7 +232,7 @@ impl MeanSquare {
         (2.0 * self.value(x)).max(0.0).sqrt()
     }
 
-    /// Gradient with respect to all coefficients at `x`.
+    /// Gradient of half the mean square with respect to all coefficients, at `x`.
     pub(crate) fn gradient(&self, x: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; x.len()];
         for (row, factor, value) in &self.nodes {
@@ -242,7 +242,7 @@ impl MeanSquare {
         out
     }
 
-    /// First and second derivatives at `x` along the direction `way`.
+    /// First and second derivatives of half the mean square at `x`, along the direction `way`.
     pub(crate) fn along(&self, x: &[f64], way: &[f64]) -> (f64, f64) {
         let terms = self.nodes.iter().map(|(row, factor, value)| {
             let moved = apply(row, way);
@@ -277,9 +277,9 @@ pub fn pointwise(f: impl Fn(f64) -> f64) -> impl Fn(f64, f64, &[(f64, f64)], &mu
 struct Table {
     matrix: Option<usize>,
     width: f64,
-    /// Values of the functions at all nodes, function by function.
+    /// Values of the basis functions at all nodes, function by function.
     values: Vec<f64>,
-    /// Values of the functions times the weights of the nodes.
+    /// Values of the basis functions times the quadrature weights of the nodes.
     weighed: Vec<f64>,
     /// Quadrature weights of the nodes.
     factors: Vec<f64>,
@@ -338,7 +338,7 @@ impl Table {
 
     /// Computes the products of the functions with the target at the nodes. Returns half the weighted square of the target.
     fn pull(&mut self, target: &[f64]) -> f64 {
-        // Loops of constant length take half the time; quintics with one node per function are the default.
+        // Loops of constant length take half the time. The default is quintics with one node per function.
         match target.len() {
             6 => self.pull_at(6, target),
             nodes => self.pull_at(nodes, target),

@@ -44,7 +44,7 @@ settings! {
         certificate: CertificateSettings = CertificateSettings::default(),
     }
 
-    /// Settings of the least squares under equalities.
+    /// Settings of the least squares under equalities. The level of a law is its constant part.
     EqualitySettings {
         /// Relative pivot below which an equality counts as dependent on the others.
         dependent: f64 = 1e-11,
@@ -54,7 +54,8 @@ settings! {
         light_pin: f64 = 1e-6,
         /// Curvature of the objective along the constant function, relative to the maximum, below which the level of the law is free.
         level_is_free: f64 = 1e-10,
-        /// Sum of the entries of an equality, relative to the sum of their magnitudes, above which the equality fixes the level.
+        /// Threshold for equalities that fix the level. Such an equality has a sum of entries, divided by the sum of their magnitudes,
+        /// above this value.
         fixes_level: f64 = 1e-6,
     }
 
@@ -66,21 +67,23 @@ settings! {
         steps_per_unknown: usize = 60,
         /// Number of initial rows above which this method is not used, because its basis is dense.
         rows: usize = 1000,
-        /// Maximum number of active rows; with more, the interior-point method is used.
+        /// Maximum number of active rows. With more active rows, the interior-point method is used.
         active: usize = 400,
         /// Excess, relative to the scale of the limit, above which a row counts as violated. It is far below the tolerance of the
         /// iterations.
         resolved: f64 = 1e-12,
         /// Violation below which a law without further progress is accepted as exact up to rounding errors.
         resolved_at_last: f64 = 1e-7,
-        /// Ratio of the violation to the minimum violation so far above which an iteration made no progress.
+        /// An iteration made no progress if its violation, divided by the minimum violation so far, is above this value.
         progress: f64 = 0.9,
         /// Number of iterations without progress after which the method ends.
         patience: usize = 4,
-        /// Threshold for linear dependence. A row counts as dependent if the squared length of its component outside the span of the active
-        /// rows, divided by the squared length of the row, is below this value.
+        /// Threshold for linear dependence. A row is split into a component in the span of the active rows and the remaining component. It
+        /// counts as dependent if the squared length of the remaining component is below this fraction of the squared length of the row.
         dependent: f64 = 1e-13,
-        /// Distance between a new row and an old row of the same limit, relative to the piece, below which the new row replaces the old one.
+        /// Distance of a new row from an old row of the same limit, as a fraction of the piece, below which the new row replaces the old
+        /// one.
+        /// old one.
         coincident: f64 = 1e-5,
         /// Maximum number of refinements by Newton's method in the iterations.
         refinements: usize = 8,
@@ -92,9 +95,9 @@ settings! {
 
     /// Settings of the proximal method for minimax objectives.
     ProximalSettings {
-        /// Initial weight ε of the change of the law in a proximal step, relative to the weight of the change of the peak.
+        /// Initial weight ε. It is the weight of the change of the law in a proximal step, divided by the weight of the peak's change.
         nearness: f64 = 1e-2,
-        /// Minimum of the weight ε.
+        /// Minimum of the weight ε, below which it is not reduced.
         least_nearness: f64 = 1e-9,
         /// Factor by which the weight ε is multiplied from one centre to the next.
         fall: f64 = 0.2,
@@ -102,8 +105,8 @@ settings! {
         heavier: f64 = 100.0,
         /// Ratio of the actual to the predicted decrease of the peak above which a law becomes the next centre.
         kept: f64 = 0.3,
-        /// Maximum gap between the lower bound and the predicted peak with the present rows, as a fraction of the permitted gap, for which
-        /// the weight ε is no longer reduced. Only further rows are then necessary.
+        /// Fraction of the permitted gap. If the lower bound and the predicted peak with the present rows differ by less, ε is not reduced.
+        /// Only further rows are then necessary.
         proved: f64 = 0.3,
         /// Maximum relative violation of the other limits for which laws are compared by their peaks alone.
         compared: f64 = 1e-4,
@@ -119,17 +122,17 @@ settings! {
     RmsSettings {
         /// Tolerance of the limits in the initial program with a cone.
         rough: f64 = 1e-6,
-        /// First step of ln p; each further step is twice the previous step.
+        /// First step of ln p. Each further step is twice the previous step.
         peak_step: f64 = 0.2,
-        /// First step of ln μ, relative to the logarithm of the ratio of the root mean square to its limit.
+        /// First step of ln μ, divided by |ln(root mean square/limit)|. The first step is at most 1.
         step: f64 = 4.0,
-        /// Minimum first step of ln μ; each further step is four times the previous step.
+        /// Minimum first step of ln μ. Each further step is four times the previous step.
         least_step: f64 = 1e-6,
         /// Maximum number of steps of ln μ or ln p.
         steps: usize = 24,
         /// Relative distance between the smallest trial peak and the minimum peak under the other limits.
         pinch: f64 = 2e-7,
-        /// Maximum number of trial weights or peaks after both sides of the limit are known.
+        /// Maximum number of trial weights or peaks after one trial satisfies the limit and another trial violates it.
         weights: usize = 40,
         /// Difference between the logarithms of two weights below which the weights count as equal.
         same_weight: f64 = 1e-11,
@@ -144,7 +147,7 @@ settings! {
         /// Stationarity below which no refinement is necessary. The solver often stops at a stationarity of 1e-7 when the gap is already
         /// negligible. A law with stationarity and gap below 1e-6 is certified.
         stationarity: f64 = 3e-7,
-        /// Tolerance above which a program is a step of a sequence and is not refined.
+        /// Tolerance above which a program counts as one step of a sequence of programs. Such a program is not refined.
         finest_tolerance: f64 = TOLERANCE,
         /// Maximum number of steps with the banded factor; three are usual.
         band_steps: usize = 5,
@@ -194,10 +197,11 @@ settings! {
         steps_per_unknown: usize = 10,
         /// Excess below which a plane of the quadratic program is satisfied.
         step_resolved: f64 = 1e-14,
-        /// Squared length of the part of a plane's normal outside the span of the active planes, relative to the squared length of the
-        /// normal, below which the plane counts as dependent.
+        /// Threshold for linear dependence. The normal of a plane is split into a component in the span of the active planes' normals and
+        /// the remaining component. The plane counts as dependent if the squared length of the remaining component is below this fraction
+        /// of the normal's squared length.
         dependent: f64 = 1e-25,
-        /// Violation of a dependent plane below which the violation is a rounding error.
+        /// Violation of a dependent plane below which it counts as a rounding error.
         rounding: f64 = 1e-9,
     }
 
@@ -205,16 +209,19 @@ settings! {
     ExchangeSettings {
         /// Maximum number of iterations; about five are usual.
         rounds: usize = 60,
-        /// Ratio of the violation to the minimum violation so far above which an iteration has stalled.
+        /// An iteration has stalled if its violation, divided by the minimum violation so far, is above this value.
         stalled: f64 = 0.5,
-        /// Ratio of the new margin of every limit after a stall to the larger of the violation and the previous margin.
+        /// Factor for the margin of every limit after a stall. The new margin is this factor times the larger of the violation and the
+        /// previous margin.
         margin_growth: f64 = 2.0,
         /// Maximum margin, as a fraction of the scale of the limit.
         largest_margin: f64 = 1e-6,
         /// Initial margin of programs with second-order cones or root-mean-square limits, as a fraction of the scale of each limit. This
         /// margin exceeds the residual of the solver, since these programs are not refined.
         cone_margin: f64 = 1e-7,
-        /// Distance between a new row and an old row of the same limit, relative to the piece, below which the new row replaces the old one.
+        /// Distance of a new row from an old row of the same limit, as a fraction of the piece, below which the new row replaces the old
+        /// one.
+        /// old one.
         coincident: f64 = 1e-4,
         /// Gap and feasibility tolerance of the interior-point method. With smaller tolerances, some fits end with the status "insufficient
         /// progress". The refinement increases the accuracy afterwards.
@@ -225,13 +232,14 @@ settings! {
 
     /// Settings of the duality gap in the certificate.
     CertificateSettings {
-        /// Objective, relative to the sum of its terms, below which it counts as a rounding error. It corresponds to a force error of a
+        /// Objective, relative to its largest term, below which it counts as a rounding error. It corresponds to a force error of a
         /// thousandth of the force.
         least_objective: f64 = 1e-6,
-        /// Magnitude of xᵀr, relative to the objective, up to which it is part of the gap. A larger xᵀr is replaced by ½rᵀH⁻¹r.
+        /// Maximum magnitude of xᵀr, relative to the objective, for which xᵀr is part of the gap. A larger xᵀr is replaced by ½rᵀH⁻¹r.
         small: f64 = 1e-9,
-        /// Squared length of the part of an equality's row outside the span of the other equalities, relative to the squared length of the
-        /// row, below which the equality counts as dependent.
+        /// Threshold for linear dependence. The row of an equality is split into a component in the span of the other equalities and the
+        /// remaining component. The equality counts as dependent if the squared length of the remaining component is below this fraction of
+        /// the row's squared length.
         dependent: f64 = 1e-20,
     }
 }

@@ -47,7 +47,7 @@ impl Square {
 const ENTERING: usize = 24;
 /// Maximum excess of a square without a row over the maximum of the squares with rows, relative to this maximum.
 const EXCEEDS: f64 = 1e-10;
-/// Singular value below which the value counts as zero.
+/// Threshold below which a singular value counts as zero.
 const DEPENDENT: f64 = 1e-9;
 /// Maximum number of programs that are solved.
 const ROUNDS: usize = 40;
@@ -58,7 +58,7 @@ pub struct LeastWorst {
     /// Weights of the squares. The point minimises the sum of the squares with these weights. The sum of the weights is 1, and each weight
     /// is at most its cap.
     pub weights: Vec<f64>,
-    /// Weights of the points whose convex combination is the result; their sum is 1.
+    /// Weights of the points whose convex combination is the result. The sum of the weights is 1.
     pub parts: Vec<f64>,
     at: Vec<f64>,
     level: f64,
@@ -84,7 +84,7 @@ pub fn least_worst(
     let mut order: Vec<usize> = (0..squares.len()).collect();
     let mut rows = worst_first(squares, last, &mut order, ENTERING);
     if caps.is_some() {
-        // There must be enough rows to determine the level above which squares count.
+        // With caps, all squares have a row from the start, because the rows must determine the level η above which squares count.
         rows = order.clone();
     }
     for _ in 0..ROUNDS {
@@ -144,8 +144,8 @@ fn refine(weights: &mut [f64], free: &[usize], squares: &[Square], bearing: &[&[
     }
 }
 
-/// Solution of the program with the rows of some squares. The field `level` is the maximum of these squares if there are no caps; otherwise
-/// it is infinite.
+/// Solution of the program with the rows of some squares. Without caps, the field `level` is the maximum of these squares. With caps, it is
+/// infinite.
 fn solve(
     points: &[Vec<f64>],
     squares: &[Square],
@@ -180,7 +180,7 @@ fn solve(
         b.push(-square.constant);
     }
     let linear = b.len() - 1;
-    // From the cone ρ + 1 ≥ ‖(ρ − 1, 2v)‖.
+    // First two rows of the cone ρ + 1 ≥ ‖(ρ − 1, 2v)‖, which is equivalent to ρ ≥ |v|².
     for end in [1.0, -1.0] {
         entries.push((b.len(), rho, -1.0));
         b.push(end);

@@ -24,8 +24,8 @@ impl Extent {
     }
 }
 
-/// Checks that the sum of the lengths equals the extent up to rounding errors, and returns the sum. Segments with an invalid length or lift are
-/// errors.
+/// Checks that the sum of the lengths equals the extent up to rounding errors, and returns the sum. Also checks the length and lift of each
+/// segment.
 pub fn lengths(segments: &[Segment], extent: Extent) -> Result<f64> {
     if segments.is_empty() {
         return Err(LawError::NoSegment.into());
@@ -158,7 +158,7 @@ pub fn on_base_circle(draft: Draft, segments: &[Segment], extent: Extent) -> Res
     if low.value >= -rounding {
         return Ok(draft.law);
     }
-    // Reports the first segment below the base circle; later segments may be below it only as a consequence.
+    // Reports the first segment below the base circle. Later segments may be below it only as a consequence.
     let depth = draft.law.combination([-1.0, 0.0, 0.0, 0.0], 0.0);
     let peaks = depth.peaks_above(rounding, f64::NEG_INFINITY, f64::INFINITY);
     let beyond = |at: f64, depth: f64| {

@@ -11,8 +11,8 @@ use crate::units::Quantity;
 use segment::{Draft, JUMP, ROUNDING};
 use std::f64::consts::{PI, TAU};
 
-/// Law of a programme of segments, which starts with lift 0 at θ = 0. Lift and velocity are continuous at the joints. Jumps of acceleration are
-/// permitted, although such laws are not suitable for high speed (CAM-DAS); [`Law::joints`] lists them.
+/// Law of a programme of segments, which starts with lift 0 at θ = 0. Lift and velocity are continuous at the joints. Jumps of acceleration
+/// are permitted, although such laws are not suitable for high speed (CAM-DAS). [`Law::joints`] lists these jumps.
 ///
 /// ```
 /// use gaitcam::law::{Extent, Rise, Segment, program};
@@ -28,8 +28,14 @@ use std::f64::consts::{PI, TAU};
 /// ```
 ///
 /// # Errors
-/// The lengths do not cover the extent; the lift does not return to its initial value, or falls below the base circle; a motion cannot join its
-/// neighbour; two general polynomials are adjacent. The error names the segment.
+///
+/// - The sum of the lengths differs from the extent.
+/// - A segment has an invalid length, lift or motion.
+/// - The lift or the velocity jumps between two segments, or the lift does not return to its initial value.
+/// - The lift is below the base circle.
+/// - Two general polynomials are adjacent.
+///
+/// The error names the segment.
 pub fn program(segments: &[Segment], extent: Extent) -> Result<Law> {
     let draft = draft(segments, extent)?;
     checks::joints(&draft, segments, extent)?;
@@ -41,7 +47,9 @@ pub fn program(segments: &[Segment], extent: Extent) -> Result<Law> {
 ///
 /// # Errors
 ///
-/// The lengths do not cover the extent; two general polynomials are adjacent.
+/// - The sum of the lengths differs from the extent.
+/// - A segment has an invalid length, lift or motion.
+/// - Two general polynomials are adjacent.
 pub fn assemble(segments: &[Segment], extent: Extent) -> Result<Law> {
     Ok(draft(segments, extent)?.law)
 }
@@ -54,7 +62,9 @@ pub fn assemble(segments: &[Segment], extent: Extent) -> Result<Law> {
 ///
 /// # Errors
 ///
-/// The half turn does not lead from 0 to its maximum lift in 180°; the errors of [`program`].
+/// - The segments of the half turn do not have the total length 180°, or contain a general polynomial.
+/// - The lift of the half turn does not rise from 0 to its maximum at the end.
+/// - The errors of [`program`].
 pub fn constant_breadth(half: &[Segment]) -> Result<Law> {
     let total: f64 = half.iter().map(|s| s.angle).sum();
     if (total - PI).abs() > ROUNDING * PI {

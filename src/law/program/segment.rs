@@ -18,7 +18,7 @@ use crate::law::{Law, Rise};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Segment {
-    /// Motion of the catalogue that determines the shape.
+    /// Motion of the catalogue that determines the shape of the lift curve.
     pub motion: Rise,
     /// Change of lift, m (rad for an oscillating follower): positive for a rise, negative for a fall, 0 for a dwell.
     pub lift: f64,

@@ -79,9 +79,9 @@ pub struct End {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ends {
-    /// Motion at x = 0.
+    /// Motion at the start of the rise, x = 0.
     pub start: End,
-    /// Motion at x = 1.
+    /// Motion at the end of the rise, x = 1.
     pub end: End,
 }
 
@@ -106,7 +106,7 @@ impl End {
         "nothing but a general polynomial",
     ];
 
-    /// Segment that adjoins this end with continuous v and a.
+    /// Segment that can adjoin this end with continuous v and a, as an English phrase from [`End::JOINS`].
     pub fn joins(&self) -> &'static str {
         End::JOINS[self.kind()]
     }
@@ -155,14 +155,14 @@ pub struct Factors {
     pub cv: f64,
     /// Peak acceleration Ca: maximum of |a|.
     pub ca: f64,
-    /// Peak jerk Cj: maximum of |j|; infinite if the acceleration jumps between the ends.
+    /// Peak jerk Cj: maximum of |j|. It is infinite if the acceleration jumps between the ends.
     pub cj: f64,
     /// Factor Ct of the inertia torque: maximum of |a·v|.
     pub ct: f64,
-    /// Minimum and maximum velocity.
+    /// Minimum and maximum velocity v.
     pub v: (f64, f64),
-    /// Minimum and maximum acceleration.
+    /// Minimum and maximum acceleration a.
     pub a: (f64, f64),
-    /// Minimum and maximum jerk inside the spans; jumps of the acceleration are not included.
+    /// Minimum and maximum jerk inside the spans. Jumps of the acceleration are not included.
     pub j: (f64, f64),
 }

@@ -6,7 +6,7 @@ use crate::error::{LawError, Result};
 use crate::poly::{bernstein, stand_in};
 use std::f64::consts::{PI, TAU};
 
-/// Polynomial law Σ pₖ xᵏ.
+/// Polynomial law Σ pₖ xᵏ with the coefficients `p`.
 pub(super) fn power(p: &[f64]) -> Law {
     single(bernstein::from_power(p), Vec::new())
 }
@@ -52,8 +52,9 @@ enum Zone {
     Wave { rate: f64, cos: f64, sin: f64 },
 }
 
-/// SCCA law (Norton): its acceleration consists of sine, constant and cosine parts with b + c + d = 1. Quarter sines cover b/2 at either end,
-/// constant values c/2 each, and half a cosine covers d in the middle.
+/// SCCA law (Norton). Its acceleration consists of sine, constant and cosine parts with the fractions b + c + d = 1 of the length. The
+/// quarter sine at either end has the length b/2, each constant part has the length c/2, and the half cosine in the middle has the length
+/// d.
 ///
 /// Special cases are the modified sine (b = ¼, c = 0), the modified trapezoid (b = d = ¼), cycloidal (b = d = ½), simple harmonic (d = 1) and
 /// parabolic (c = 1).
@@ -70,7 +71,7 @@ pub(super) fn scca(b: f64, c: f64, d: f64) -> Result<Law> {
         (0.5 * c, Zone::Constant(-1.0)),
         (0.5 * b, quarter(PI / b, -1.0, 0.0)),
     ];
-    // The acceleration is integrated from rest with unit peak; the resulting lift determines the scale.
+    // The acceleration is integrated from rest with unit peak. The resulting lift determines the scale.
     let mut pieces = Pieces::starting_at(0.0);
     let (mut s, mut v) = (0.0, 0.0);
     for (width, zone) in zones.into_iter().filter(|z| z.0 > SLIVER) {
@@ -100,7 +101,7 @@ pub(super) fn scca(b: f64, c: f64, d: f64) -> Result<Law> {
         }
     }
     let reached = s;
-    // The last break may differ from 1 by rounding errors: the shape is stretched to exactly 1.
+    // The last break may differ from 1 by rounding errors, so the shape is stretched to exactly 1.
     let mut whole = Pieces::starting_at(0.0);
     whole.push_shape(&pieces.finish(false), 1.0, 0.0, 1.0 / reached, false);
     Ok(whole.finish(false))

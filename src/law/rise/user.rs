@@ -42,7 +42,11 @@ impl Rise {
     ///
     /// # Errors
     ///
-    /// Too few rows; numbers that are not finite; x values that do not increase; a table whose last lift equals its first.
+    /// - The table has too few rows.
+    /// - A number is not finite.
+    /// - The x values do not increase.
+    /// - The last lift equals the first lift.
+    /// - The spacing of the x values does not permit a spline.
     pub fn table(name: &str, rows: &[(f64, f64)], rest: bool) -> Result<Rise> {
         let table = name.to_string();
         if rows.len() < 2 {
@@ -91,8 +95,8 @@ impl Rise {
         }
     }
 
-    /// Acceleration that the rounding of the rows can add to a normalised rise. It is the acceleration of a wave with the rounding error as amplitude
-    /// and the minimum step as half wavelength. 0 for motions without rows.
+    /// Acceleration that the rounding of the rows can add to a normalised rise. It is the peak acceleration of a wave. The amplitude of the
+    /// wave is the rounding error, and its half wavelength is the minimum step of x. 0 for motions without rows.
     pub(crate) fn rounded_acceleration(&self) -> f64 {
         let Rise::User { rows, rounding, .. } = self else {
             return 0.0;
@@ -123,7 +127,7 @@ fn half_unit(rows: &[(f64, f64)]) -> f64 {
     0.5 * 0.1_f64.powi(most as i32)
 }
 
-/// Text that consists of a word and numbers.
+/// Text of a motion in a scene: a word and numbers, separated by spaces.
 fn written(word: &str, numbers: impl Iterator<Item = f64>) -> String {
     numbers.fold(word.to_string(), |text, x| format!("{text} {x}"))
 }
@@ -153,7 +157,7 @@ fn through(points: &[(f64, f64)], rest: bool) -> Option<PiecewisePoly> {
         }));
         return hermite_birkhoff(&conditions, 0.0, 1.0).ok();
     }
-    // Not-a-knot: the two inner points next to each end have no knot, which saves the four conditions.
+    // Not-a-knot: the two inner points next to each end are not knots. Four end conditions are therefore unnecessary.
     let inner = if rest {
         &points[1..n - 1]
     } else {
@@ -163,7 +167,7 @@ fn through(points: &[(f64, f64)], rest: bool) -> Option<PiecewisePoly> {
     breaks.extend(inner.iter().map(|p| p.0));
     breaks.push(1.0);
     let space = SplineSpace::clamped(TABLE_DEGREE, &breaks, &vec![1; inner.len()]);
-    // Equations in the order of their positions: the matrix is banded and totally positive, so elimination needs no pivots.
+    // The equations are in the order of their positions. The matrix is banded and totally positive, so elimination needs no pivots.
     let end = |at: f64| end_conditions.iter().filter(move |c| c.0 == at);
     let lift = |p: &(f64, f64)| (p.0, 0, p.1);
     let rows = points[..1]

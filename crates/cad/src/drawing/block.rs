@@ -13,7 +13,7 @@ use crate::words::Labels;
 const VALUE: f64 = 2.9;
 const NAME: f64 = 1.9;
 const HEAD: f64 = 4.6;
-/// Height of the field with the title, mm.
+/// Height of the title field, which is the first field of the block, mm.
 const FIRST: f64 = 10.0;
 const FIELD: f64 = 8.0;
 
@@ -209,7 +209,7 @@ mod tests {
 
     #[test]
     fn days_are_dates_of_the_gregorian_calendar() {
-        // Days since 1970 of known dates, leap years and centuries among them.
+        // Days since 1970-01-01 of known dates, including leap years and turns of centuries.
         for (days, date) in [
             (0, "1970-01-01"),
             (59, "1970-03-01"),

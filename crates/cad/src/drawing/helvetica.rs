@@ -16,13 +16,13 @@ pub enum Face {
 pub struct Glyph {
     /// Font that contains the glyph.
     pub face: Face,
-    /// Code of the character in this font.
+    /// Code of the character in the encoding of the font.
     pub byte: u8,
     /// Width of the glyph, thousandths of an em.
     width: u16,
 }
 
-/// Characters that are taken from Symbol: character, code, width in thousandths of an em.
+/// Characters that are taken from Symbol. An entry contains the character, its code, and its width in thousandths of an em.
 const SYMBOLS: [(char, u8, u16); 14] = [
     ('−', 0x2d, 549),
     ('Δ', b'D', 612),

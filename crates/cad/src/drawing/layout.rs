@@ -25,7 +25,7 @@ pub const LABELS: f64 = 40.0;
 pub const ABOVE: f64 = 12.0;
 /// Space below the plan view for the dimension of the side view, mm.
 pub const BELOW: f64 = 14.0;
-/// Space to the right of the side view for the thickness of a thin plate, mm.
+/// Space to the right of the side view for the thickness dimension of a thin plate, mm.
 pub const BESIDE: f64 = 16.0;
 /// Distance of the frame from the edge of the sheet, mm. The distance is 20 mm on the left, where sheets are bound.
 const EDGE: f64 = 10.0;
@@ -76,9 +76,9 @@ impl Scale {
 pub struct Layout {
     /// Name of the sheet format: A4 or A3.
     pub name: &'static str,
-    /// Width and height of the paper, mm.
+    /// Width and height of the paper in mm: 210 × 297 or 420 × 297.
     pub paper: [f64; 2],
-    /// Area inside the frame of the drawing.
+    /// Area inside the frame of the drawing, with the margins outside.
     pub frame: Area,
     /// Area for the plan view and the side view.
     pub views: Area,

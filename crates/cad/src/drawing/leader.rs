@@ -15,7 +15,7 @@ const LINE: f64 = 3.9;
 const SHELF: f64 = 2.0;
 /// Width of a dimension, mm, below which its arrows are outside the extension lines.
 const NARROW: f64 = 14.0;
-/// Distance between the text of a dimension and its line, mm.
+/// Distance between the text of a dimension and its dimension line, mm.
 const ABOVE: f64 = 1.0;
 const BEYOND: f64 = 1.5;
 
@@ -59,7 +59,7 @@ impl Pen {
         }
     }
 
-    /// Writes text in the size of dimensions, centred above `at`.
+    /// Writes text in the letter height of dimensions, centred above the point `at`.
     pub fn note(&mut self, text: &str, at: [f64; 2]) {
         self.text(text, at, LETTERS, Anchor::Middle);
     }
@@ -88,13 +88,14 @@ impl Pen {
     }
 }
 
-/// Text of the label for the bore, two lines.
+/// Text of the label for the bore. The first line is its name. The second line contains the diameter with its tolerance class.
 pub fn bore(bore: &Bore, words: &Labels) -> [String; 2] {
     let size = format!("Ø {} H7", words.length(bore.diameter, 3));
     [words.text("drawing-bore"), size]
 }
 
-/// Text of the label for the keyway, two lines: the width with its tolerance class, and the height of the bore through the keyway.
+/// Text of the label for the keyway. The first line is its name. The second line contains the width with its tolerance class, and the
+/// height of the bore through the keyway.
 pub fn keyway(bore: &Bore, key: &Keyway, words: &Labels) -> [String; 2] {
     let height = words.length(bore.diameter + key.depth, 2);
     let size = format!("{} JS9, {height}", words.length(key.width, 1));

@@ -56,7 +56,7 @@ pub enum Anchor {
     End,
 }
 
-/// Content of one sheet while it is drawn.
+/// PDF content of one sheet, to which lines and texts are added.
 pub struct Pen {
     content: Content,
 }
@@ -94,14 +94,14 @@ impl Pen {
         }
     }
 
-    /// Draws an open polyline through points.
+    /// Draws an open polyline through points, mm.
     pub fn line(&mut self, points: &[[f64; 2]], stroke: Stroke) {
         self.take(stroke);
         self.trace(points);
         self.content.stroke();
     }
 
-    /// Draws a closed polyline through points.
+    /// Draws a closed polyline through points, mm.
     pub fn ring(&mut self, points: &[[f64; 2]], stroke: Stroke) {
         self.take(stroke);
         self.trace(points);

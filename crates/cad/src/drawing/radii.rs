@@ -15,7 +15,7 @@ pub struct Radius {
     pub angle: f64,
     /// Distance of the profile point from the cam's centre.
     pub profile: f64,
-    /// Distance of the ball's centre from the cam's centre at contact.
+    /// Distance of the ball's centre from the cam's centre when the ball touches the profile.
     pub ball: f64,
 }
 
@@ -73,7 +73,7 @@ fn crossing(condition: impl Fn(f64) -> bool, mut low: f64, mut high: f64) -> f64
 
 /// Point at the distance `off` (m) outside the profile, along its normal.
 fn moved(point: &EdgePoint, off: f64) -> [f64; 2] {
-    // The profile is traversed clockwise: the outward direction is to the left of its tangent.
+    // The profile is traversed clockwise, so the outward direction is to the left of its tangent.
     [point.p[0] - off * point.t[1], point.p[1] + off * point.t[0]]
 }
 

@@ -26,7 +26,8 @@ fn stops(columns: usize) -> Vec<f64> {
     [0.0].into_iter().chain(rest).collect()
 }
 
-/// Draws the table. Its rows are distributed over the blocks of the layout; a table with two columns has twice as many blocks as the layout.
+/// Draws the table. Its rows are distributed over the blocks of the layout. A table with two columns has twice as many blocks as the
+/// layout.
 pub fn draw(pen: &mut Pen, table: &Table, layout: &Layout) {
     let area = layout.table;
     for (i, line) in table.heading.iter().enumerate() {

@@ -11,7 +11,7 @@ use crate::outline::zero_mark;
 use crate::words::Labels;
 
 const MM: f64 = 1000.0;
-/// Number of points of the outline.
+/// Number of points with which the outline of the cam is drawn.
 const POINTS: usize = 1440;
 /// Minimum half height of a column of labels, mm.
 const LEAST_HEIGHT: f64 = 20.0;
@@ -26,7 +26,8 @@ const ARROW: [f64; 2] = [0.12, 0.5];
 /// Number of points on the edge of the bore, without the corners of the keyway.
 const EDGE: usize = 180;
 
-/// Positions of the labels: side (1 right, −1 left), and height above the centre as a fraction of the half height of a column of labels.
+/// Positions of the labels. The first number is the side (1 right, −1 left). The second number is the height above the centre, as a
+/// fraction of the half height of a column of labels.
 const SLOTS: [[f64; 2]; 8] = [
     [1.0, 0.3],
     [-1.0, 0.3],
@@ -44,14 +45,14 @@ const HIGH: f64 = 0.5;
 /// Label with the object to which its leader points.
 struct Label {
     text: [String; 2],
-    /// Target of the leader: a circle about the centre, given by its radius on the sheet, mm, or a point of the sheet.
+    /// Target of the leader: a circle about the centre or a point. A circle is given by its radius on the sheet, mm.
     of: Target,
 }
 
 enum Target {
     Circle(f64),
     Point([f64; 2]),
-    /// A point whose label is placed above it.
+    /// A point on the sheet, mm. Its label is at or above the height `HIGH`.
     Below([f64; 2]),
 }
 
@@ -121,7 +122,7 @@ impl<'a> Views<'a> {
         let mark = zero_mark(base, reach_of_bore).map(|p| self.place(p));
         pen.line(&mark, Stroke::Outline);
         pen.note("θ = 0", [x, y + reach + 2.0]);
-        // Outside the outline, near the mark of θ = 0.
+        // The arrow is outside the outline, near the mark of θ = 0.
         let radius = self.around + 0.75 * OVER;
         pen.rotation(self.centre, radius, ARROW, self.piece.clockwise);
     }
@@ -141,8 +142,8 @@ impl<'a> Views<'a> {
         }
     }
 
-    /// Index of the free label position that is nearest to the point `p`. Positions below the height `from`, a fraction of the half height of a
-    /// column of labels, are not considered.
+    /// Index of the free label position that is nearest to the point `p`. Positions below the height `from` are not considered. `from` is a
+    /// fraction of the half height of a column of labels.
     fn nearest(&self, free: &[[f64; 2]], p: [f64; 2], from: f64) -> Option<usize> {
         let far = |k: usize| {
             let [x, y] = self.slot(free[k]);

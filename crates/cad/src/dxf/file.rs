@@ -13,7 +13,8 @@ use gaitcam_base::text::append;
 /// Entity of the drawing; lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Shape {
-    /// Polyline. A vertex contains x, y and the bulge of the following edge: tan of a quarter of its arc's angle, 0 for a chord.
+    /// Polyline. A vertex contains x, y and the bulge of the following edge. The bulge is the tangent of a quarter of the arc's angle, and
+    /// 0 for a chord.
     Polyline {
         vertices: Vec<[f64; 3]>,
         closed: bool,
@@ -46,7 +47,7 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    /// Content of the file. Equal drawings have equal bytes.
+    /// Content of the DXF file. Equal drawings give equal bytes.
     pub fn bytes(&self) -> Vec<u8> {
         let mut body = Groups::new(self.version, self.units);
         let space = self.tables(&mut body);
@@ -77,7 +78,7 @@ impl Drawing {
             Units::Millimetres => [4, 1],
             Units::Inches => [1, 0],
         };
-        // R12 has no variable for units; its readers use the variable of later dialects.
+        // R12 has no variable for units. Programs that read R12 use the variable of later dialects.
         out.put(9, "$INSUNITS").put(70, unit);
         out.put(9, "$MEASUREMENT").put(70, measurement);
         for (name, [x, y]) in ["$EXTMIN", "$EXTMAX"].into_iter().zip(self.extent) {
@@ -172,7 +173,7 @@ impl Drawing {
     }
 }
 
-/// Writes the root dictionary with its only entry.
+/// Writes the root dictionary. The format requires it even if it has only the entry for groups.
 fn objects(out: &mut Groups) {
     out.section("OBJECTS");
     let root = out.object("DICTIONARY", 0, &["AcDbDictionary"]);

@@ -32,7 +32,7 @@ const ZERO: &str = "REF_THETA_ZERO";
 /// Layer of the arrow of rotation.
 const ROTATION: &str = "REF_ROTATION";
 
-/// Version of the DXF format.
+/// Version of the DXF format, R12 or R2000.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Version {
     /// R12: polylines with separate vertex entities, which every program can read. The R12 header has no variable for the unit. The unit is
@@ -64,12 +64,12 @@ pub enum Curves {
     Lines,
 }
 
-/// Options of a DXF drawing.
+/// Options of a DXF drawing: vertices, version, bore, layers and unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
     /// Number of vertices of a polyline. The vertices are at equal steps of the cam angle.
     pub points: usize,
-    /// Version of the DXF format.
+    /// Version of the DXF format, R12 or R2000.
     pub version: Version,
     /// Bore for the shaft; `None` for a cam without a bore.
     pub bore: Option<Bore>,
@@ -135,7 +135,7 @@ fn chord([x, y]: [f64; 2]) -> [f64; 3] {
     [MM * x, MM * y, 0.0]
 }
 
-/// Converts the coordinates of vertices from m to mm; the bulges are unchanged.
+/// Converts the coordinates of vertices from m to mm. The bulges are unchanged.
 fn millimetres(vertices: &[[f64; 3]]) -> Vec<[f64; 3]> {
     let mm = |&[x, y, bulge]: &[f64; 3]| [MM * x, MM * y, bulge];
     vertices.iter().map(mm).collect()
@@ -238,7 +238,8 @@ impl Sheet {
         self.drawing.shapes.push((layer, shape));
     }
 
-    /// Adds a polyline. A vertex contains x, y (mm) and the bulge of the following edge: tan of a quarter of its arc's angle, 0 for a chord.
+    /// Adds a polyline. A vertex contains x, y (mm) and the bulge of the following edge. The bulge is the tangent of a quarter of the arc's
+    /// angle, and 0 for a chord.
     fn polyline(&mut self, layer: &'static str, vertices: &[[f64; 3]], closed: bool) {
         let mut reach = Vec::with_capacity(2 * vertices.len());
         for (i, &[x, y, bulge]) in vertices.iter().enumerate() {

@@ -43,7 +43,7 @@ pub enum Dialect {
     Twincat,
     /// Table of polynomial segments with lift, velocity and acceleration at both ends (SEW, Siemens).
     Segments,
-    /// Logix: structured text with a `CAM` array for `MCCP`, with a cubic spline and its end slopes.
+    /// Logix: structured text with a `CAM` array for `MCCP`, which interpolates with a cubic spline of given end slopes.
     Rockwell,
     /// Table of positions only, as CSV.
     Csv,
@@ -74,7 +74,7 @@ pub struct Carries {
     pub interpolation: Interpolation,
     /// Number type of the points and coefficients.
     pub number: Number,
-    /// Maximum number of points of one cam.
+    /// Maximum number of points of one cam in the controller.
     pub most: usize,
     write: fn(&Table) -> String,
     read: fn(&str) -> Option<Curve>,
@@ -134,7 +134,7 @@ impl Dialect {
             read,
         };
         match self {
-            // The number of elements has the type INT.
+            // The controller stores the number of elements as INT, so at most 32 767 points are possible.
             Dialect::Codesys => row(Quintic, Double, 32_767, codesys::write, codesys::read),
             Dialect::Twincat => row(Quintic, Double, MOST, twincat::write, twincat::read),
             Dialect::Segments => row(Quintic, Single, MOST, segments::write, segments::read),
@@ -164,9 +164,9 @@ pub struct ElectronicCam {
     pub dialect: Dialect,
     /// Text of the file, a program or a table.
     pub text: String,
-    /// Number of intervals between the points.
+    /// Number of intervals between the points. It is one less than the number of points.
     pub intervals: usize,
-    /// Error of the motion that the controller executes.
+    /// Error of the motion that the controller executes from this file.
     pub replayed: Replayed,
 }
 
@@ -215,8 +215,8 @@ pub fn make(design: &Design, dialect: Dialect, intervals: Option<usize>) -> Resu
     }
 }
 
-/// Cam with the minimum number of points for which the added error is at most [`EXACT`]. The number is doubled step by step. If no number is
-/// sufficient, the result is the cam with the smallest error.
+/// Cam with the smallest tried number of points for which the added error is at most [`EXACT`]. The number of intervals per span of the law
+/// is doubled step by step. If no number is sufficient, the result is the cam with the smallest error.
 fn fewest(design: &Design, dialect: Dialect) -> ElectronicCam {
     let breaks = design.cam.law.breaks();
     let mut best: Option<ElectronicCam> = None;
@@ -258,7 +258,7 @@ fn executed(design: &Design, dialect: Dialect, angles: &[f64]) -> ElectronicCam 
     }
 }
 
-/// Maximum length of the name of a cam in a controller's program.
+/// Maximum length of the name of a cam in a controller's program, characters.
 const LONGEST_NAME: usize = 24;
 
 impl ElectronicCam {
@@ -292,13 +292,13 @@ impl Replayed {
     };
 }
 
-/// Compares the executed motion with the law and, if there is one, with the target force.
+/// Compares the executed motion with the law and, if the design has a target force, with this force.
 fn held_against(design: &Design, motion: &Law) -> Replayed {
     let law = &design.cam.law;
     let (start, length) = law.extent();
     let is_idle = design.is_idle();
     let drive = match is_idle {
-        // The force of this drive is the acceleration.
+        // Without a drive, a unit mass at unit speed is used, so the force equals the acceleration.
         true => Drive::fixed_axis(1.0, 0.0, 1.0),
         false => design.problem.drive,
     };
@@ -393,8 +393,8 @@ mod tests {
     use super::*;
     use gaitcam::scene::built_in;
 
-    /// Errors from an independent integration, in which a table of positions is rounded to 1 µm and interpolated by cubics: 4.5, 72 and 477 % of
-    /// the weight for 360, 1440 and 3600 points.
+    /// The errors come from an independent integration. It rounds a table of positions to 1 µm and interpolates it by cubics. The errors
+    /// are 4.5, 72 and 477 % of the weight for 360, 1440 and 3600 points.
     #[test]
     fn a_table_rounded_to_a_micrometre_is_worse_with_more_points() {
         let design = built_in("footbridge")

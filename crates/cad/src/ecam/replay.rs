@@ -6,7 +6,7 @@ use gaitcam::poly::PiecewisePoly;
 use super::Number;
 use super::table::{Node, Table};
 
-/// Curve data that a file contains.
+/// Curve data that a file contains, in the units of the file.
 pub enum Curve {
     /// Lift, velocity and acceleration at both ends of every polynomial segment.
     Segments(Vec<[Node; 2]>),
@@ -126,8 +126,8 @@ fn periodic(points: &[[f64; 2]]) -> Vec<f64> {
     m
 }
 
-/// Equation for the slope at the point between two intervals: the second derivatives on both sides are equal. Returns three coefficients and the
-/// right side.
+/// Equation for the slope at the point between two intervals. The second derivatives on both sides of the point are equal. Returns three
+/// coefficients and the right side.
 fn row(before: &[[f64; 2]], after: &[[f64; 2]]) -> ([f64; 3], f64) {
     let [h, k] = [before, after].map(|p| p[1][0] - p[0][0]);
     (

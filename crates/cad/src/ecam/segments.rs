@@ -1,6 +1,6 @@
 //! Table of polynomial segments with lift, velocity and acceleration at both ends.
 //!
-//! The columns are those of the cam editors of SEW and Siemens (SEW, MOVIRUN CAM editor: X1, Y1, Y′, Y″ … X2, Y2, Y2′, Y2″).
+//! The columns agree with the cam editors of SEW and Siemens (SEW, MOVIRUN CAM editor: X1, Y1, Y′, Y″ … X2, Y2, Y2′, Y2″).
 
 use std::fmt::Write;
 

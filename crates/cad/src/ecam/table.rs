@@ -11,7 +11,8 @@ const ROUNDED: f64 = 64.0;
 /// Difference between the two sides of a joint, relative to the column's maximum, below which it counts as a rounding error.
 const SAME: f64 = 1e-9;
 
-/// Point of the cam, with the derivatives of the follower's position with respect to the cam's position, in the units of the file.
+/// Point of the cam, in the units of the file. The derivatives are derivatives of the follower's position with respect to the cam's
+/// position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Node {
     /// Position of the cam (master), degrees or mm.
@@ -62,7 +63,7 @@ impl Table {
             a: number.nearest(y / (x * x) * at.a),
         };
         let end = |theta: f64| {
-            // The last span that begins before the angle.
+            // Index of the last span of the law that begins before the angle `theta`.
             let i = breaks
                 .partition_point(|b| *b < theta)
                 .clamp(1, breaks.len() - 1)
@@ -91,7 +92,7 @@ impl Table {
         self.segments.iter().map(|s| s[0]).chain(last)
     }
 
-    /// Structured-text literal, `TRUE` if the controller repeats the cam.
+    /// Structured-text literal: `TRUE` if the controller repeats the cam, otherwise `FALSE`.
     pub fn periodic(&self) -> &'static str {
         if self.closed { "TRUE" } else { "FALSE" }
     }
@@ -110,7 +111,7 @@ impl Table {
     /// Description of the columns and their units, for the first lines of a file.
     pub fn head(&self) -> String {
         let (x, y) = (self.x_unit, self.y_unit);
-        // Removes characters that would end a comment.
+        // Removes characters that would end a comment in the file.
         let name = self.name.replace(['*', '(', ')', '\n', '\r'], " ");
         let points = self.segments.len() + 1;
         format!(

@@ -1,8 +1,9 @@
 //! Program that mills the groove of a barrel on a rotary axis. The axis of the cutter intersects the axis of the barrel, as the axis of the roller
 //! does.
 //!
-//! The cutter has the radius of the roller and moves on the path of the roller. It therefore cuts the exact envelope of the roller at any depth,
-//! without ridges or gouges. A thinner cutter cannot do this: in an oblique part of the groove, its contact with the wall changes with the depth.
+//! The cutter has the radius of the roller and moves on the path of the roller. It therefore cuts the exact envelope of the roller at any
+//! depth, without ridges or gouges. A thinner cutter would leave errors in an oblique part of the groove, because its contact with the wall
+//! changes with the depth.
 
 use std::fmt::Write;
 

@@ -29,10 +29,10 @@ const REST: f64 = 1e-6;
 const MOST_PASSES: f64 = 1000.0;
 /// Maximum acceleration of the machine table on a curved path, mm/s².
 const ACCELERATION: f64 = 500.0;
-/// Relative change of the feed from which a new feed is written.
+/// Minimum relative change of the feed for which a new feed is written.
 const NEW_FEED: f64 = 0.01;
 
-/// Options of the milling program.
+/// Options of the milling program: cutter, depth of a pass and unit.
 ///
 /// ```
 /// use gaitcam_cad::{Units, gcode::Milling};
@@ -96,7 +96,7 @@ fn feed_on(path: f64, profile: f64) -> f64 {
     (FEED * path / profile).min(most)
 }
 
-/// Path of the cutter's centre, m.
+/// Path of the cutter's centre, m: a start point and consecutive moves.
 struct Path {
     start: [f64; 2],
     moves: Vec<Move>,
@@ -107,7 +107,7 @@ struct Path {
 ///
 /// # Errors
 ///
-/// - A radius is not positive.
+/// - The radius of the cutter is not positive.
 /// - A pass is below a thousandth of the thickness.
 /// - Arcs cannot approximate the profile (undercut, jumps of the velocity).
 /// - The cutter does not fit into a concave part.
@@ -179,14 +179,17 @@ fn bore(out: &mut Program, design: &Design, cut: &Milling) {
     }
 }
 
-/// Program for wire cutting. The centre of the wire moves at the distance `radius` m from the edge; `radius` is half the wire diameter plus the
-/// spark gap.
+/// Program for wire cutting. The centre of the wire moves at the distance `radius` m from the edge. This distance is half the wire diameter
+/// plus the spark gap.
 ///
 /// The program cuts the bore with its keyway, then the outside. For a conjugate pair, it cuts the first cam.
 ///
 /// # Errors
 ///
-/// The errors of [`milling`]; the cam is a barrel; the wire is too thick for the keyway.
+/// - The radius is not positive.
+/// - The cam is a barrel.
+/// - Arcs cannot approximate the profile, or the wire does not fit into a concave part.
+/// - The wire is too thick for the bore or its keyway.
 pub fn wire(design: &Design, radius: f64, units: Units) -> Result<String> {
     let radius = cutter::positive(radius)?;
     if design.groove.is_some() {
@@ -231,7 +234,7 @@ impl Program {
         }
     }
 
-    /// Writes a line without any change.
+    /// Writes a line of the program without any change.
     fn line(&mut self, line: &str) {
         self.text.push_str(line);
         self.text.push('\n');

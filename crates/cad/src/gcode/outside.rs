@@ -15,7 +15,7 @@ const LEAST_LEAD: f64 = 0.002;
 /// Length of the line from the start hole of a wire to the profile, m.
 const WAY_IN: f64 = 0.003;
 
-/// Kind of lead-in and lead-out of the path.
+/// Kind of lead-in and lead-out: arcs for a milling cutter, lines for a wire.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Lead {
     /// Tangential quarter circles, with which a milling cutter leaves no mark.
@@ -31,7 +31,8 @@ pub fn path(edge: &Edge, tool: f64, lead: Lead) -> Option<Path> {
     let arcs = biarc::along(edge, ARCS)?;
     let mut ends = arcs.vertices;
     if arcs.closed {
-        // The path starts at the farthest point: the whole cam is on one side of the tangent there, so the leads are free of interference.
+        // The path starts at the farthest point. The whole cam is on one side of the tangent at this point, so the leads do not touch the
+        // cam.
         let far = |v: &[f64; 3]| libm::hypot(v[0], v[1]);
         let start = (0..ends.len()).max_by(|&a, &b| far(&ends[a]).total_cmp(&far(&ends[b])))?;
         ends.rotate_left(start);
@@ -104,7 +105,7 @@ fn parallel(a: [f64; 3], b: [f64; 3], tool: f64) -> Option<(Move, [[f64; 2]; 2])
         let step = Move::line([to[0] + tool * n[0], to[1] + tool * n[1]]);
         return Some((step, [n, n]));
     };
-    // A concave part turns counter-clockwise: its centre is outside the cam.
+    // A concave part turns counter-clockwise, so its centre is outside the cam.
     let hollow = a[2] > 0.0;
     let outward = if hollow { -1.0 } else { 1.0 };
     let path = radius + outward * tool;

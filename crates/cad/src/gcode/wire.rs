@@ -25,7 +25,7 @@ pub fn hole(bore: &Bore, radius: f64) -> Option<Path> {
                 return None;
             }
             let foot = (bore.radius() * bore.radius() - half * half).sqrt();
-            // At the end of the round part, the wire passes around the corner.
+            // Where the round part of the bore ends, the wire passes around the corner of the keyway.
             let shrunk = round / bore.radius();
             let corner = |side: f64| [side * half, foot];
             let before = |side: f64| [side * half * shrunk, foot * shrunk];

@@ -15,7 +15,7 @@ pub use wall::wall;
 /// Triangle mesh, mm. The vertices of a triangle are counter-clockwise when seen from outside.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
-    /// Coordinates x, y, z of the vertices.
+    /// Coordinates x, y, z of the vertices, mm.
     pub vertices: Vec<[f64; 3]>,
     /// Indices of the three vertices of each triangle.
     pub triangles: Vec<[usize; 3]>,

@@ -22,8 +22,8 @@ pub struct Plate {
 
 /// Surface of the plate.
 ///
-/// Every vertex of the profile is connected with the point of the bore on the same ray from the centre (without a bore: with the centre). The faces
-/// are therefore wedges that cannot overlap.
+/// Every vertex of the profile is connected with the point of the bore on the same ray from the centre. Without a bore, it is connected
+/// with the centre. The faces are therefore wedges that cannot overlap.
 ///
 /// # Errors
 ///
@@ -92,7 +92,7 @@ fn clearance(outline: &[[f64; 2]]) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Vertices of a closed curve at both heights of the plate: index 2i at the bottom, 2i + 1 at the top.
+/// Vertices of a closed curve at both heights of the plate. The index 2i is at the bottom, and 2i + 1 at the top.
 fn ring(points: &[[f64; 2]], thickness: f64) -> Vec<[f64; 3]> {
     points
         .iter()
@@ -119,7 +119,8 @@ fn full(outline: &[[f64; 2]], thickness: f64) -> Mesh {
     }
 }
 
-/// Copy of the polygon with additional vertices: its intersections with the rays from the centre through the corners of the bore.
+/// Copy of the polygon with additional vertices. They are the intersections of the polygon with the rays from the centre through the
+/// corners of the bore.
 fn with_corners(outline: Vec<[f64; 2]>, bore: &Bore) -> Vec<[f64; 2]> {
     let corners = bore.corners();
     let n = outline.len();
@@ -162,7 +163,7 @@ fn bored(outline: &[[f64; 2]], bore: &Bore, thickness: f64) -> Mesh {
     for i in 0..n {
         let (a, b) = (2 * i, 2 * ((i + 1) % n));
         let (c, d) = (2 * n + a, 2 * n + b);
-        // Outer wall, bore wall, upper face, lower face.
+        // Order of the triangles: outer wall, bore wall, upper face, lower face.
         triangles.push([a, b, b + 1]);
         triangles.push([a, b + 1, a + 1]);
         triangles.push([d, c, c + 1]);

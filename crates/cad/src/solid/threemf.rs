@@ -30,7 +30,7 @@ pub fn package(mesh: &Mesh, name: &str) -> Result<Vec<u8>> {
         ("3D/3dmodel.model", model(mesh, name)),
     ];
     for (path, text) in parts {
-        // The default options contain no time stamp: the same mesh gives the same bytes.
+        // The default options contain no time stamp, so equal meshes give equal bytes.
         zip.start_file(path, SimpleFileOptions::default())
             .map_err(|e| fault(format!("{path}: {e}")))?;
         zip.write_all(text.as_bytes())

@@ -1,5 +1,5 @@
-//! Interpolation of points by clamped cubic B-splines. The end conditions are of the type "not a knot": the first two spans have the same cubic
-//! polynomial, and so have the last two spans.
+//! Interpolation of points by clamped cubic B-splines. The end conditions are of the type "not a knot". The first two spans therefore have
+//! the same cubic polynomial. The last two spans also have the same cubic polynomial.
 
 use std::ops::Range;
 
@@ -24,7 +24,7 @@ impl Interpolant {
         for (i, row) in rows.iter_mut().enumerate() {
             let (first, weights) = basis(spans, i as f64);
             for (k, w) in weights.into_iter().enumerate() {
-                // The end rows have only one nonzero weight; their other weights are zeros outside the band.
+                // The end rows have only one nonzero weight. Their other weights are zeros outside the band.
                 if let Some(place) = (first + k + BAND).checked_sub(i).filter(|p| *p <= 2 * BAND) {
                     row[place] = w;
                 }
@@ -106,7 +106,7 @@ pub fn clamped(inner: Range<usize>, spans: usize) -> Vec<(usize, f64)> {
 
 /// Basis functions that can be nonzero at `x`: the index of the first of these four functions, and their values at `x` (Cox–de Boor).
 fn basis(spans: usize, x: f64) -> (usize, [f64; 4]) {
-    // Knot k of the full sequence.
+    // Knot k of the full knot sequence, with multiple knots repeated.
     let knot = |k: usize| match k {
         0..=3 => 0.0,
         k if k <= spans => (k - 2) as f64,

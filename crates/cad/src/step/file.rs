@@ -42,7 +42,7 @@ pub fn circle(centre: [f64; 2], radius: f64) -> Vec<Piece> {
 /// Number of the STEP entity of an edge.
 type Rim = usize;
 
-/// Bottom and top edges of a wall.
+/// Bottom and top edges of a wall, as numbers of STEP entities.
 pub struct Rims {
     pub low: Vec<Rim>,
     pub high: Vec<Rim>,
@@ -127,8 +127,8 @@ impl File {
         }
     }
 
-    /// Adds the vertical surface over one part of an outline, from `low` to `high`. The normal of the surface points to the right of the direction
-    /// of the outline.
+    /// Adds the vertical surface over one part of an outline, from the height `low` to the height `high`. Seen along the direction of the
+    /// outline, the normal of the surface points to the right.
     fn surface(&mut self, piece: &Piece, [low, high]: [f64; 2]) -> usize {
         match piece {
             Piece::Line([a, b]) => {
@@ -283,7 +283,7 @@ impl File {
         self.add(&format!(
             "SHAPE_DEFINITION_REPRESENTATION(#{property},#{shape})"
         ));
-        // Without a time stamp: the same design gives the same bytes.
+        // The header contains no time stamp, so equal designs give equal bytes.
         format!(
             "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n\
              FILE_NAME('{name}','2000-01-01T00:00:00',(''),(''),'gaitcam','gaitcam','');\n\

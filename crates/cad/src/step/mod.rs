@@ -22,7 +22,7 @@ const MM: f64 = 1000.0;
 /// Maximum distance between a spline and the exact profile, m, at the points where the distance is measured. Between these points it is below 0.1
 /// µm.
 pub const FAITHFUL: f64 = 5e-8;
-/// Minimum space for the mark of θ = 0, mm: half the radial distance between bore and base circle.
+/// Minimum space for the mark of θ = 0, mm. The space is half the radial distance between bore and base circle.
 const LEAST_ROOM: f64 = 0.25;
 /// Number of edges into which the profile is divided.
 const EDGES: usize = 4;
@@ -32,7 +32,8 @@ const EDGES: usize = 4;
 /// # Errors
 ///
 /// - The cam is a barrel.
-/// - The law is not closed, or the profile is undercut.
+/// - The law of a rotating cam is not closed.
+/// - The profile is undercut.
 /// - The thickness is not positive.
 /// - No spline with the permitted number of spans approximates the profile.
 pub fn solid(design: &Design) -> Result<Vec<u8>> {
@@ -114,7 +115,7 @@ impl Dot {
     }
 }
 
-/// Plate between two heights, mm, with its holes.
+/// Plate between two heights z, mm, with its bore and the engraved mark.
 struct Body {
     outline: Vec<Piece>,
     hole: Option<Bore>,

@@ -20,7 +20,7 @@ pub struct Extreme {
 }
 
 impl Extreme {
-    /// Applies a function to the value; the abscissa is unchanged.
+    /// Applies a function to the value. The abscissa is unchanged.
     pub fn map(self, f: impl FnOnce(f64) -> f64) -> Extreme {
         Extreme {
             at: self.at,

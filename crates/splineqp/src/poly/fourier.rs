@@ -45,7 +45,7 @@ pub fn samples(terms: &[(f64, f64)], order: u32, n: usize) -> Vec<f64> {
     let fft = inverse(n);
     let mut spectrum = fft.make_input_vec();
     for (h, &(a, b)) in (1..).zip(terms) {
-        // a cos + b sin = Re((a − ib) e^{ihθ}); the transform adds the conjugate.
+        // a cos + b sin = Re((a − ib) e^{ihθ}). The transform adds the complex conjugate.
         spectrum[h] = Complex64::new(0.5 * a, -0.5 * b) * Complex64::new(0.0, h as f64).powu(order);
     }
     let mut out = fft.make_output_vec();

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 /// Piecewise polynomial on `breaks[0] ..= breaks[n]`. Each piece is in Bernstein form on its interval.
 ///
-/// The pieces need not be continuous at the breaks. At a break, the value is that of the piece to its right.
+/// The pieces need not be continuous at the breaks. At a break, the piece to its right determines the value.
 ///
 /// ```
 /// use splineqp::poly::PiecewisePoly;
@@ -29,7 +29,7 @@ pub struct PiecewisePoly {
 /// Relative difference below which two values are equal up to rounding errors.
 const SAME: f64 = 1e-12;
 
-/// Minimum and maximum of the values so far.
+/// Minimum and maximum of the values that were compared so far.
 struct Range {
     low: Extreme,
     high: Extreme,
@@ -68,7 +68,7 @@ pub struct Peak {
     pub piece: usize,
     /// Position u on the piece, from 0 at its start to 1 at its end.
     pub u: f64,
-    /// Abscissa at which the maximum is.
+    /// Abscissa of the maximum, in the units of the breaks.
     pub at: f64,
     /// Value of the function at the maximum.
     pub value: f64,
@@ -176,7 +176,7 @@ impl PiecewisePoly {
         self.with_pieces(n - 1, coef)
     }
 
-    /// Integral over the whole range.
+    /// Integral over the range from the first to the last break.
     pub fn integral(&self) -> f64 {
         let n = (self.degree + 1) as f64;
         (0..self.pieces())
@@ -260,7 +260,8 @@ impl PiecewisePoly {
             low: start,
             high: start,
         };
-        // The ends are evaluated first: a piece whose hull lies between their extremes contains no extreme.
+        // The ends of the pieces are evaluated first. A piece whose hull lies between the minimum and the maximum end value contains no
+        // extreme.
         let (mut lowest_end, mut highest_end) = (start.value, start.value);
         for b in self.coef.chunks_exact(self.degree + 1) {
             for end in [b[0], b[self.degree]] {

@@ -13,8 +13,8 @@ const MOST_PARTS: usize = 512;
 /// Fraction of the scale below which the last coefficients are rounding noise of the function, if halving does not reduce them.
 const NOISE: f64 = 1e-9;
 
-/// Piecewise polynomial that agrees with `f` to about `tolerance` times the scale of `f` on every interval of `breaks`. `f` must be smooth between
-/// the breaks. It is evaluated only strictly inside the intervals, with the index of the interval.
+/// Piecewise polynomial that agrees with `f` to about `tolerance` times the scale of `f` on every interval of `breaks`. `f` must be smooth
+/// between the breaks. It is evaluated only strictly inside the intervals, with the index of the interval.
 ///
 /// The function is interpolated at Chebyshev points, and intervals are halved until the last coefficients are negligible.
 pub fn stand_in(breaks: &[f64], tolerance: f64, f: impl Fn(usize, f64) -> f64) -> PiecewisePoly {
@@ -54,7 +54,7 @@ pub fn stand_ins_for_differences(
 /// Values of a function at the nodes of a part.
 type Values = [f64; DEGREE + 1];
 
-/// Interpolant of a function; `first` contains its values at the nodes of whole intervals.
+/// Interpolant of a function. `first` contains the values of the function at the nodes of whole intervals.
 fn joined(
     transform: &Transform,
     breaks: &[f64],
@@ -116,7 +116,7 @@ impl Transform {
         }
     }
 
-    /// Chebyshev nodes between two ends.
+    /// Chebyshev nodes on the interval [a, b].
     fn nodes_on(&self, [a, b]: [f64; 2]) -> [f64; DEGREE + 1] {
         self.nodes.map(|x| a + (b - a) * 0.5 * (1.0 + x))
     }
@@ -142,11 +142,11 @@ impl Transform {
     }
 }
 
-/// Interpolant on one part of a piece.
+/// Chebyshev interpolant on one part of a piece.
 struct Part {
     ends: [f64; 2],
     chebyshev: [f64; DEGREE + 1],
-    /// Maximum absolute value at the nodes.
+    /// Maximum absolute value of the function at the nodes.
     largest: f64,
     /// Maximum absolute value of the last coefficients. The next field is the same maximum before the last halving.
     tail: f64,
@@ -226,7 +226,7 @@ mod tests {
 
     #[test]
     fn noise_of_the_function_is_not_halved_for_ever() {
-        // Digits beyond the eleventh are arbitrary.
+        // The digits of the function beyond the eleventh are arbitrary.
         let f = |_: usize, x: f64| x.sin() + 1e-11 * (1e7 * x).sin();
         let p = stand_in(&[0.0, 3.0], 1e-13, f);
         assert!(p.pieces() < 100, "{}", p.pieces());
@@ -235,7 +235,7 @@ mod tests {
 
     #[test]
     fn rounding_of_large_terms_is_not_halved_for_ever() {
-        // 1 + x − 1 to rounding: small values that carry the noise of 1.
+        // The function is 1 + x − 1 with rounding. Its small values have the noise of 1.
         let f = |_: usize, x: f64| vec![(1.0 + 1e-7 * x.sin()) - 1.0];
         let p = &stand_ins_for_differences(&[0.0, 3.0], 1e-11, &[1.0], f)[0];
         assert!(p.pieces() < 10, "{}", p.pieces());
@@ -244,7 +244,7 @@ mod tests {
 
     #[test]
     fn extremes_of_a_rational_function_are_found_to_twelve_digits() {
-        // x/(1 + x²) on [−3, 5]: ±½ at ±1.
+        // x/(1 + x²) on [−3, 5] has the extremes ±½ at ±1.
         let p = stand_in(&[-3.0, 0.5, 5.0], 1e-13, |_, x| x / (1.0 + x * x));
         let (low, high) = p.extremes();
         assert!((high.value - 0.5).abs() < 1e-12 && (low.value + 0.5).abs() < 1e-12);

@@ -13,7 +13,7 @@ const STEPS: usize = 40;
 /// Newton step, rad, below which a parabola gives the value of the maximum with an error below rounding errors.
 const FLAT: f64 = 1e-5;
 
-/// Value and two derivatives at `x` of each of several sums with equal numbers of terms.
+/// Value, first and second derivative at `x` of each of several sums, all with the same number of terms.
 pub fn harmonic_sums<const K: usize>(sums: [&[(f64, f64)]; K], x: f64) -> [[f64; 3]; K] {
     let (sin, cos) = libm::sincos(x);
     let (mut c, mut s) = (1.0, 0.0);

@@ -24,9 +24,9 @@ pub struct Wave {
     pub sin: f64,
 }
 
-/// Maximum phase range, rad, of a sinusoid that one Taylor polynomial approximates: ±½ about the middle of the range.
+/// Maximum phase range, rad, of a sinusoid that one Taylor polynomial approximates. The range extends from −½ to ½ about its middle.
 const PHASE_PER_PIECE: f64 = 1.0;
-/// Degree of the Taylor polynomials: the remainder 0.5¹⁵/15! ≈ 2e-17 is below rounding.
+/// Degree of the Taylor polynomials. The remainder 0.5¹⁵/15! ≈ 2e-17 is below the rounding errors.
 const TAYLOR_DEGREE: usize = 14;
 
 impl Wave {
@@ -112,7 +112,7 @@ pub struct Shifted {
     start: f64,
 }
 
-/// Adds the combination Σ wₖ f⁽ᵏ⁾ of the sinusoids f of each piece to `sum`. The pieces of `sum` are those of [`subdivide`].
+/// Adds the combination Σ wₖ f⁽ᵏ⁾ of the sinusoids f of each piece to `sum`. The pieces of `sum` must come from [`subdivide`].
 pub fn add_taylor(sum: PiecewisePoly, waves: &[Vec<Shifted>], weights: [f64; 4]) -> PiecewisePoly {
     if waves.is_empty() {
         return sum;

@@ -85,15 +85,15 @@ pub struct Limit<N: Names> {
     pub weights: [f64; 5],
     /// Bound of the limit: Σ weights·s⁽ᵏ⁾ + Σ extra·y ≤ bound + shape(θ).
     pub bound: f64,
-    /// Weights of the further variables.
+    /// Weights of the further variables y in the left side.
     pub extra: Values,
     /// Index of the part of the bound that varies with θ, in the shapes of the program; `None` for a constant bound.
     pub shape: Option<usize>,
     /// Whether the law is measured from its value at the reference angle of the program.
     pub from_reference: bool,
-    /// First and last angle of the domain, rad.
+    /// First and last angle at which the limit applies, rad.
     pub domain: (f64, f64),
-    /// Scale of a violation: |bound|, or 1 if the bound is 0.
+    /// Scale of a violation. The default is |bound|, or 1 if the bound is 0.
     pub scale: f64,
     /// Whether a solver may tighten the limit by a margin. It must be false if the law may have to equal its bound over a whole range.
     pub has_room: bool,
@@ -183,8 +183,8 @@ impl<N: Names> Limit<N> {
         self
     }
 
-    /// Scale of an excess for the given bound. For a range of values with free position, it is the width of the range, not the distance
-    /// from 0.
+    /// Scale of an excess for the given bound `room`. It is the larger of `scale` and |`room`|. For a range of values with free position,
+    /// it is `scale`, which is the width of the range.
     pub fn size(&self, room: f64) -> f64 {
         if self.is_window {
             self.scale
@@ -226,7 +226,7 @@ impl<N: Names> Limit<N> {
         self.extra[PEAK] != 0.0
     }
 
-    /// Bound minus the terms of the further variables.
+    /// Bound of the limit minus the terms of the further variables, for their values `extra`.
     pub fn room(&self, extra: &Values) -> f64 {
         self.bound - self.extra.dot(extra)
     }

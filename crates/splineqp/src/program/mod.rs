@@ -2,7 +2,7 @@
 //!
 //! Minimises ½xᵀHx + gᵀx + cᵀy subject to equalities and to limits that must hold at *every* point of their domain: Σ wₖ s⁽ᵏ⁾(θ) ≤ bound. A
 //! limit is equivalent to infinitely many rows, one for each θ. `separation` computes the exact points at which a law exceeds a limit most.
-//! `solve` selects the method: `active_set` if only the coefficients are unknown, `exchange` if sizes and peaks are variables.
+//! `solve` selects the method: `active_set` if only the coefficients are unknown, `exchange` if there are further variables.
 
 use crate::Names;
 mod failure;
@@ -40,7 +40,7 @@ pub struct Equality<N: Names> {
 /// Convex program for the coefficients of a law and a few further variables.
 #[derive(Debug, Clone)]
 pub struct Program<N: Names> {
-    /// Basis functions of the law.
+    /// Basis functions Bᵢ of the law.
     pub basis: Basis,
     /// Matrix H of the quadratic objective (may be singular or zero).
     pub hessian: ArrowMatrix,
@@ -59,11 +59,11 @@ pub struct Program<N: Names> {
     /// Row for the value of the law at the reference angle. Limits with `from_reference` measure the law from this value; `None` if they
     /// measure it from zero.
     pub reference: Option<Entries>,
-    /// Rows that do not belong to a limit, such as those of a linearised curvature. These rows are kept in every iteration.
+    /// Rows that do not belong to a limit, such as the rows of a linearised curvature. These rows are kept in every iteration.
     pub fixed: Vec<Row<N>>,
     /// Initial rows of the exchange, such as the active rows of a similar program.
     pub seeds: Vec<Row<N>>,
-    /// Cost of each further variable.
+    /// Cost of each further variable in the objective: the vector c.
     pub cost: Values,
     /// Second-order cones of the further variables.
     pub cones: Vec<Cone<N>>,
@@ -72,7 +72,7 @@ pub struct Program<N: Names> {
     pub length: f64,
     /// Settings of the solvers for this program.
     pub settings: Settings,
-    /// Stop condition of the solvers.
+    /// Condition under which the caller stops the solvers.
     pub halt: Halt,
 }
 
@@ -91,7 +91,7 @@ pub struct Row<N: Names> {
     pub entries: Entries,
     /// Part of the weights `entries` that comes from the value of the law at the reference angle.
     pub reference: Entries,
-    /// Weights of the further variables.
+    /// Weights of the further variables y in the left side.
     pub extra: Values,
     /// Bound of the left side of the row.
     pub bound: f64,
@@ -179,8 +179,8 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Bound of the left side of a limit for a law: the bound minus the terms of the further variables. If the limit measures the law from
-    /// its value at the reference angle, this value is added.
+    /// Bound of the left side of a limit for a law. It is the bound of the limit minus the terms of the further variables. If the limit
+    /// measures the law from its value at the reference angle, this value is added.
     pub fn room(&self, limit: &Limit<N>, x: &[f64], extra: &Values) -> f64 {
         let lowest = self.reference_of(limit).map_or(0.0, |at| apply(at, x));
         limit.room(extra) + limit.weights[0] * lowest
@@ -196,8 +196,8 @@ impl<N: Names> Program<N> {
         self.reference = Some(self.basis.row(angle, &[1.0, 0.0, 0.0, 0.0]));
     }
 
-    /// Coefficients of the value of the law at the reference angle, if the limit is relative to this value; `None` if the limit is relative
-    /// to zero.
+    /// Row for the value of the law at the reference angle, if the limit is relative to this value. `None` if the limit is relative to
+    /// zero.
     pub fn reference_of(&self, limit: &Limit<N>) -> Option<&Entries> {
         self.reference.as_ref().filter(|_| limit.from_reference)
     }
@@ -284,7 +284,7 @@ impl<N: Names> Program<N> {
         if unit > 0.0 { unit } else { 1.0 }
     }
 
-    /// Unit of the multipliers in the solver: the unit of the objective, or of the peak if only the peak is minimised.
+    /// Unit of the multipliers in the solver. It is the unit of the objective, or the unit of the peak if only the peak is minimised.
     pub fn multiplier_unit(&self, peak: f64) -> f64 {
         if self.cost[PEAK] == 0.0 {
             return self.objective_unit();

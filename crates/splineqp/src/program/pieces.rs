@@ -178,8 +178,8 @@ impl Curve {
             });
             return;
         }
-        // If the curve is continuous over a break, the end of a piece is a maximum only if the end of its neighbour is one. Of two such ends, the
-        // left one is used.
+        // If the curve is continuous over a break, the end of a piece is a maximum only if the adjacent end of the next piece is also a
+        // maximum. The left one of these two ends is used.
         let n = b.len();
         let climbs_on = piece + 1 < self.spans && n > 1 && {
             let next = self.on(piece + 1, &mut beside);
@@ -199,7 +199,8 @@ impl Curve {
     }
 }
 
-/// Spline coefficients in cyclic order, with the first ones repeated, so that the coefficients of each span are contiguous.
+/// Spline coefficients in cyclic order. The first coefficients are repeated at the end, so that the coefficients of each span are
+/// contiguous.
 fn around(space: &SplineSpace, x: &[f64]) -> Vec<f64> {
     let mut around = Vec::with_capacity(space.dimension() + space.degree());
     around.extend_from_slice(&x[..space.dimension()]);
@@ -207,8 +208,8 @@ fn around(space: &SplineSpace, x: &[f64]) -> Vec<f64> {
     around
 }
 
-/// Weights with which the differences of the spline coefficients contribute to the Bernstein coefficients of the velocity on a span, row by
-/// row.
+/// Matrix, by rows, that converts the differences of consecutive spline coefficients to the Bernstein coefficients of the velocity on a
+/// span.
 fn of_steps(space: &SplineSpace, span: usize) -> Vec<f64> {
     let n = space.degree() + 1;
     let factor = space.degree() as f64 / space.spans()[span].width;
@@ -227,8 +228,8 @@ fn of_steps(space: &SplineSpace, span: usize) -> Vec<f64> {
     weights
 }
 
-/// Writes the Bernstein coefficients of a function on all spans, one row per coefficient. Each coefficient is the inner product of `n` weights of the
-/// span and `n` consecutive values of `own`.
+/// Writes the Bernstein coefficients of a function on all spans, one row per coefficient. Each coefficient is the inner product of `n`
+/// weights of the span and `n` consecutive values of `own`.
 fn fill(
     space: &SplineSpace,
     own: &[f64],
@@ -268,7 +269,7 @@ fn products(out: &mut [f64], coefficients: &[f64], weights: &[f64]) {
     }
 }
 
-/// Whether the values on both sides of a break are equal up to rounding errors of this size or of `level`.
+/// Whether the values on both sides of a break are equal up to rounding errors, relative to the larger of |`left`| and |`level`|.
 fn joins(left: f64, right: f64, level: f64) -> bool {
     (left - right).abs() <= 1e-12 * left.abs().max(level.abs())
 }
@@ -291,7 +292,8 @@ mod tests {
     use super::*;
     use crate::basis::Basis;
 
-    /// Spline spaces for tests: uniform; with fewer spans than B-splines on a span; with breaks of any multiplicity; open at both ends.
+    /// Spline spaces for tests: a uniform space, a space with fewer spans than B-splines on a span, a space with breaks of any
+    /// multiplicity, and an open space.
     fn spaces() -> [SplineSpace; 4] {
         let breaks = [0.0, 0.4, 1.3, 2.0, 2.2, 4.0];
         [

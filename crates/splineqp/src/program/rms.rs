@@ -6,7 +6,7 @@ use crate::band::ArrowFactor;
 use crate::objective::{MeanSquare, Quadratic};
 use crate::poly::Peak;
 
-/// Rounding error of q, relative to its constant term.
+/// Bound of the rounding error of the mean square, relative to the constant term of q.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// Relative increase of the diagonal of H. With it, H can be factorised even if it is zero for constant functions.
 const RIDGE: f64 = 1e-13;
@@ -26,11 +26,11 @@ pub struct Ball {
 pub struct RmsLimit<N: Names> {
     /// Name of the limit for users.
     pub name: N::Limit,
-    /// The function q, half a mean square.
+    /// The function q of the coefficients, half a mean square of the law.
     pub half: MeanSquare,
     /// Maximum root mean square, above 0.
     pub most: f64,
-    /// Meaning of `most` for the caller.
+    /// Meaning of `most` for the caller, such as the quantity from which `most` is computed.
     pub meaning: N::Meaning,
 }
 
@@ -41,7 +41,7 @@ impl<N: Names> RmsLimit<N> {
         square.max(0.0).sqrt() / self.most - 1.0
     }
 
-    /// The limit as a cone; `None` if the minimum of q exceeds the limit.
+    /// The limit as a cone. `None` if the minimum root mean square is not below the limit, or if H cannot be factorised.
     pub(crate) fn ball(&self) -> Option<Ball> {
         let whole = &self.half.whole;
         let mut hessian = whole.hessian.clone();
@@ -127,8 +127,8 @@ impl<N: Names> Program<N> {
         self
     }
 
-    /// Removes limits that have no effect, because their bound contains a variable without a cost or another restriction, such as an
-    /// unbounded peak or size.
+    /// Removes limits that have no effect, because their bound contains a variable without a cost or another restriction. An example is a
+    /// peak that is no longer minimised.
     fn without_idle_limits(&mut self) {
         let kept = |k: Variable| {
             self.is_in_cone(k)

@@ -19,7 +19,7 @@ impl<N: Names> Program<N> {
         of_means.fold(of_limits.max(0.0), f64::max)
     }
 
-    /// Local maxima of the left sides of limits that exceed the bound, or are below it by less than the fraction `near` of the scale.
+    /// Local maxima of the left sides of limits that exceed the bound, or are below the bound by less than `near` times the scale.
     pub fn peaks_near(&self, x: &[f64], extra: &Values, near: f64) -> Vec<(usize, Peak)> {
         let mut out = Vec::new();
         let level = |limit: &Limit<N>| {
@@ -101,7 +101,7 @@ impl<N: Names> Program<N> {
             }
             let curve = self.left_side(x, limit);
             for mut peak in curve.peaks_above(level, limit.domain.0, limit.domain.1) {
-                // A shape subdivides the curve: the position is converted to the pieces of the basis.
+                // A shape subdivides the curve, so the position is converted to the pieces of the basis.
                 (peak.piece, peak.u) = self.basis.locate(peak.at);
                 visit(index, peak);
             }

@@ -65,7 +65,7 @@ impl Values {
         *self == Values::NONE
     }
 
-    /// Dot product: sum over all variables of the entry of `self` times the entry of `other`.
+    /// Dot product. It is the sum over all variables of the entry of `self` times the entry of `other`.
     #[inline]
     pub fn dot(&self, other: &Values) -> f64 {
         self.0.iter().zip(&other.0).map(|(a, b)| a * b).sum()
@@ -151,7 +151,7 @@ impl<N: Names> Program<N> {
         self.declared(variable).map_or("peak", |d| d.name)
     }
 
-    /// Typical value of a variable; for the peak the typical size of the coefficients.
+    /// Typical value of a variable. For the peak, it is the typical size of the coefficients.
     pub(crate) fn typical(&self, variable: Variable) -> f64 {
         self.declared(variable).map_or(self.length, |d| d.typical)
     }

@@ -5,8 +5,8 @@
 //! | equality-constrained least squares | limits that the unconstrained optimum satisfies | `equality` |
 //! | proximal steps of the dual active-set method | minimising a peak | `active_set/proximal` |
 //! | dual active-set method | only coefficients, at most 1000 rows | `active_set` |
-//! | interior-point method with exchange of rows | sizes, a peak or a cone among the variables; failure of the active-set method | `exchange` |
-//! | search for the weight of the mean square in the objective | a limit on a root mean square; with a peak and sizes: `exchange` | `rms` |
+//! | interior-point method with exchange of rows | further variables or cones; failure of the active-set method | `exchange` |
+//! | search for the weight of the mean square | root-mean-square limit; `exchange` with a peak and other further variables | `rms` |
 //! | Newton's method for the active points | every solution whose certificate is not sufficient | `refine` |
 //!
 //! In each iteration, `active_set` and `exchange` solve a program with finitely many rows by a solver with the trait `RowSolver`.
@@ -30,7 +30,9 @@ impl<N: Names> Program<N> {
     ///
     /// # Errors
     ///
-    /// The equalities contradict each other; the limits are infeasible; the solver stops without a result.
+    /// - The equalities contradict each other.
+    /// - The limits are infeasible.
+    /// - The solver stops without a result.
     pub fn solve(&self) -> Result<Solution<N>, Failure<N>> {
         let mut solution = match self.rms.first() {
             Some(_) if self.settings.tolerance > TOLERANCE => exchange::solve(self)?,
@@ -48,7 +50,8 @@ impl<N: Names> Program<N> {
         Ok(solution)
     }
 
-    /// Solves a program with a limit on a root mean square, a peak and sizes as one cone program; `None` if the solution exceeds a limit.
+    /// Solves a program with a limit on a root mean square, a peak and other further variables as one cone program. `None` if the program
+    /// has no such variables, or if the solution exceeds a limit.
     fn with_its_cone(&self) -> Option<Solution<N>> {
         let present = self.present();
         let is_least = |k: Variable| self.least_values().any(|least| least.0 == k);
@@ -67,7 +70,8 @@ impl<N: Names> Program<N> {
     }
 
     fn solved(&self) -> Result<Solution<N>, Failure<N>> {
-        // A range with free position adds an unknown. The program is first solved without it; this solution is kept if it fits into the range.
+        // A range with free position adds an unknown. The program is first solved without the range. This solution is kept if it fits into
+        // the range.
         if let Some(free) = self.without_windows() {
             let mut solution = refine::refined(&free, free.by_the_first_method()?);
             let windows = self.windows(&solution.x);

@@ -28,7 +28,7 @@ use crate::program::{
 };
 use crate::solve::exchange;
 
-/// Lower bound of the ratio of the root mean square to its limit, so that the logarithm of the ratio is finite.
+/// Lower bound of the root mean square divided by its limit. It keeps the logarithm of this ratio finite.
 const SMALL: f64 = 1e-2;
 
 /// Iterate of the search: optimum for a weight or for a peak.
@@ -42,7 +42,7 @@ struct Tried<N: Names> {
     solution: Solution<N>,
 }
 
-/// Quantity that the search varies.
+/// Quantity that the search varies: the weight μ or the peak p.
 #[derive(Clone, Copy, PartialEq)]
 enum Way {
     Weight,
@@ -168,9 +168,10 @@ impl<'a, N: Names> Search<'a, N> {
         plain.solve()
     }
 
-    /// Result if the search finds no two optima on opposite sides of the limit. The first of these laws that satisfies the limit is
-    /// returned: the optimum without the limit, and a law with practically the minimum peak subject to the other limits. Otherwise the
-    /// result is a law without a certificate: the law of the exchange method, or the law with the minimum root mean square.
+    /// Result if the search finds no two optima on opposite sides of the limit. The optimum without the limit is returned if it satisfies
+    /// the limit. Otherwise, a law with practically the minimum peak subject to the other limits is returned if it satisfies the limit. If
+    /// neither law satisfies the limit, the result has no certificate. It is the law of the exchange method or the law with the minimum
+    /// root mean square.
     fn held_up(&mut self, least: Solution<N>) -> Result<Solution<N>, Failure<N>> {
         if self.keeps(&least) {
             return Ok(least);
@@ -184,7 +185,8 @@ impl<'a, N: Names> Search<'a, N> {
                 });
             }
         }
-        // A law that satisfies all limits is useful even without a proof: the law of the cone program, or the nearest law, without a size.
+        // Without such a law, the law with the smaller violation is returned without a proof. It comes from the exchange method, or has the
+        // minimum root mean square.
         let mut near = self.nearest()?;
         near.active.clear();
         near.extra[PEAK] = self.program.own_peak(&near.x, &near.extra);
@@ -345,8 +347,8 @@ impl<'a, N: Names> Search<'a, N> {
         Ok(self.met(inside, &outside))
     }
 
-    /// Whether interpolation between two optima is sufficiently accurate: Δμ Δq, an upper bound of the duality gap, is within the
-    /// tolerance.
+    /// Whether interpolation between two optima is sufficiently accurate. The product Δμ Δq is an upper bound of the duality gap and must
+    /// be within the tolerance.
     fn is_one(&self, inside: &Tried<N>, outside: &Tried<N>) -> bool {
         let weights = (inside.weight - outside.weight).abs();
         let squares = self.limit.most.powi(2) * (outside.excess - inside.excess);

@@ -21,7 +21,8 @@ pub trait RowSolver<N: Names> {
     ///
     /// # Errors
     ///
-    /// The rows are infeasible; the solver stops without a result.
+    /// - The rows are infeasible.
+    /// - The solver stops without a result.
     fn solve(
         &mut self,
         program: &Program<N>,

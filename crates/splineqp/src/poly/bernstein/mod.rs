@@ -54,7 +54,7 @@ pub fn eval(b: &[f64], u: f64) -> f64 {
     sum + power * u * b[n]
 }
 
-/// Coefficients of the derivative d/du. The degree is one lower; the derivative of a constant is `[0]`.
+/// Coefficients of the derivative d/du. The degree is one lower. The derivative of a constant is `[0]`.
 pub fn derivative(b: &[f64]) -> Vec<f64> {
     let n = b.len() - 1;
     if n == 0 {
@@ -89,7 +89,7 @@ pub fn elevate(b: &[f64], to: usize) -> Vec<f64> {
     out
 }
 
-/// Product of two polynomials; the degree of the product is the sum of their degrees.
+/// Product of two polynomials. The degree of the product is the sum of their degrees.
 pub fn product(a: &[f64], b: &[f64]) -> Vec<f64> {
     let (m, n) = (a.len() - 1, b.len() - 1);
     let mut out = vec![0.0; m + n + 1];

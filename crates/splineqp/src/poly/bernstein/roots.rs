@@ -17,7 +17,7 @@ pub fn roots(b: &[f64]) -> Vec<f64> {
 pub fn add_roots(b: &[f64], out: &mut Vec<f64>) {
     let scale = b.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     if scale > 0.0 && scale.is_finite() {
-        // Coefficients below this value are rounding errors of the larger ones and count as zero.
+        // Coefficients below this value are rounding errors of larger coefficients and count as zero.
         let zero = scale * 4.0 * f64::EPSILON;
         match *b {
             [p, q] if p * q < 0.0 => out.push(p / (p - q)),
@@ -50,7 +50,7 @@ pub fn add_critical(b: &[f64], out: &mut Vec<f64>) {
 
 /// The root in (0, 1) of p(1−u)² + 2qu(1−u) + ru², whose end values have different signs.
 fn crossing_of_quadratic(p: f64, q: f64, r: f64) -> f64 {
-    // With t = u/(1−u): r t² + 2q t + p = 0, whose roots have different signs; both forms avoid cancellation.
+    // With t = u/(1−u), the equation is r t² + 2q t + p = 0. Its roots have different signs, and both forms avoid cancellation.
     let root = (q * q - p * r).sqrt();
     let far = if q >= 0.0 { -(q + root) } else { root - q };
     let (first, second) = (far / r, p / far);
@@ -226,7 +226,8 @@ mod tests {
 
     #[test]
     fn a_maximum_that_rounding_puts_beyond_an_end_is_found_at_the_end() {
-        // The maximum of a stroke on a break at 270°: the slopes of both sides placed it on the other side.
+        // This is the maximum of a stroke on a break at 270°. The slopes on both sides of the break indicate that the maximum is on the
+        // other side.
         let tiny = 1e-17;
         for b in [
             [0.04, 0.048, 0.049 + tiny, 0.049],
@@ -240,8 +241,7 @@ mod tests {
 
     #[test]
     fn chebyshev_of_degree_twenty_has_its_twenty_roots() {
-        // T_20(2u − 1) by its power recurrence would lose digits; Bernstein coefficients are known:
-        // (−1)^(n−k) C(2n, 2k)/C(n, k).
+        // The power recurrence of T_20(2u − 1) would lose digits. The Bernstein coefficients are known: (−1)^(n−k) C(2n, 2k)/C(n, k).
         let n = 20;
         let b: Vec<f64> = (0..=n)
             .map(|k| {

@@ -86,7 +86,7 @@ impl SplineSpace {
         for span in &mut self.spans {
             (span.start, span.width) = (length * span.start / n, length / n);
         }
-        // length·n/n may differ from the length by a rounding error: the last break is set exactly.
+        // length·n/n may differ from the length by a rounding error, so the last break is set exactly.
         if let Some(last) = self.spans.last_mut() {
             last.width = length - last.start;
         }
@@ -127,7 +127,7 @@ impl SplineSpace {
     fn push_span(&mut self, knots: &[f64], at: usize, first: usize) {
         let (start, width) = (knots[at], knots[at + 1] - knots[at]);
         let local = &knots[at + 1 - self.degree..=at + self.degree];
-        // Spans with the same knot pattern share a matrix; only the previous span is compared.
+        // Spans with the same knot pattern share a matrix. Only the previous span is compared.
         let same = self.spans.last().filter(|s| {
             let previous = &knots[at - self.degree..at + self.degree];
             (s.start + s.width - start).abs() < 1e-15

@@ -19,7 +19,7 @@ use super::PiecewisePoly;
 pub struct Span {
     /// Left end of the span.
     pub start: f64,
-    /// Length of the span, positive.
+    /// Length of the span. It is positive.
     pub width: f64,
     /// Index of the first of the degree + 1 basis functions on the span, before reduction modulo the dimension.
     pub first: usize,
@@ -50,8 +50,8 @@ pub struct SplineSpace {
     degree: usize,
     dimension: usize,
     spans: Vec<Span>,
-    /// Extraction matrices with (degree+1)² entries each; entry [k*(degree+1) + i] is the Bernstein coefficient k of the local basis function i.
-    /// Uniform spans share one matrix.
+    /// Extraction matrices with (degree+1)² entries each. Entry [k*(degree+1) + i] is the Bernstein coefficient k of the local basis
+    /// function i. Uniform spans share one matrix.
     matrices: Vec<Vec<f64>>,
     /// Knots of one turn of a periodic space, in units of `unit`; empty for a clamped space. The next field is the length of the turn.
     turn: Vec<f64>,
@@ -115,7 +115,8 @@ impl SplineSpace {
         (i, (x - self.spans[i].start) / self.spans[i].width)
     }
 
-    /// Extraction matrix of a span with (degree+1)² entries; entry `[k*(degree+1) + i]` is the Bernstein coefficient k of the local basis function i.
+    /// Extraction matrix of a span with (degree+1)² entries. Entry `[k*(degree+1) + i]` is the Bernstein coefficient k of the local basis
+    /// function i.
     #[inline]
     pub fn extraction(&self, span: usize) -> &[f64] {
         &self.matrices[self.spans[span].matrix]
@@ -137,7 +138,7 @@ impl SplineSpace {
         self.dimension == self.spans.len() && self.spans.iter().all(alike)
     }
 
-    /// Converts weights of the Bernstein coefficients of a span to weights of its local basis functions.
+    /// Converts weights of the Bernstein coefficients to weights of the local basis functions, for one span.
     pub fn pull_back(&self, span: usize, bernstein_weights: &[f64], out: &mut [f64]) {
         out.fill(0.0);
         let rows = self.extraction(span).chunks_exact(self.degree + 1);
@@ -148,8 +149,8 @@ impl SplineSpace {
         }
     }
 
-    /// Weights of the local basis functions of a span for the value of Σ wₖ dᵏs/dxᵏ of a spline s at the position u ∈ [0, 1] of the span.
-    /// The wₖ are `weights`.
+    /// Value of Σ wₖ dᵏs/dxᵏ at the position u ∈ [0, 1] of a span, as weights of the local basis functions. The wₖ are `weights`, and s is
+    /// the spline.
     pub fn row(&self, span: usize, u: f64, weights: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; self.degree + 1];
         self.values(span, &[u], weights, &mut out);

@@ -22,7 +22,7 @@ const BEYOND_ENDS: f64 = 1.0 / 8.0;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Distance {
-    /// Integral of the squared difference.
+    /// Integral of the squared difference of the two functions.
     pub square: f64,
     /// Maximum absolute difference of the two functions.
     pub largest: f64,

@@ -20,7 +20,7 @@ pub use distance::Distance;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cells {
-    /// Values at the n + 1 ends of the cells; the last value equals the first one.
+    /// Values at the n + 1 ends of the cells. The last value equals the first one.
     values: Vec<f64>,
     /// Slopes at the ends of the cells, per length of a cell.
     slopes: Vec<f64>,
@@ -32,7 +32,7 @@ type Ends = [f64; 4];
 
 impl Cells {
     /// Creates the function from the values and slopes at the ends of its cells. A slope is the derivative multiplied by the length of one
-    /// cell. The first cell begins at 0. The last value equals the first one, so there is one value more than cells.
+    /// cell. The first cell begins at 0. The last value equals the first value, so n cells have n + 1 values.
     pub fn new(values: Vec<f64>, slopes: Vec<f64>, length: f64) -> Self {
         Cells {
             values,
@@ -119,7 +119,8 @@ fn cubic([a, b, c, d]: &[f64; 4], u: f64) -> f64 {
     v * v * (v * a + 3.0 * u * b) + u * u * (3.0 * v * c + u * d)
 }
 
-/// Coefficients of a polynomial on the part from `low` to `high` of its range. The length of `out` determines the degree of the result.
+/// Bernstein coefficients of a polynomial restricted to the interval from `low` to `high`. The length of `out` determines the degree of the
+/// result.
 fn restricted(b: &[f64], (low, high): (f64, f64), out: &mut [f64]) {
     let own = b.len() - 1;
     let c = &mut out[..=own];

@@ -8,8 +8,9 @@ const SAME: f64 = 1e-11;
 
 impl Cells {
     /// Least-squares approximation of the function by a polynomial of degree `degree` on every range between breaks of the first period.
-    /// The result contains the values of the polynomials at the degree + 1 nodes of [`gauss_legendre`], range by range. Integrals with
-    /// polynomials of this degree equal those of the function itself, so the discontinuities between the cells cause no error.
+    /// The result contains the values of the polynomials at the degree + 1 nodes of [`gauss_legendre`], range by range. Replacing the
+    /// function by the approximation does not change its integrals with polynomials of this degree. The discontinuities between the cells
+    /// therefore cause no error.
     ///
     /// # Panics
     ///
@@ -51,7 +52,8 @@ struct Nearest<'a, const N: usize> {
     values: [[f64; N]; N],
 }
 
-/// Four sums for each power a: Xᵃ f over both sides of all ends, Xᵃ f of the first end minus the last end, and the same two sums of Xᵃ s.
+/// Four sums for each power a. The first sum is Xᵃ f over both sides of all ends. The second sum is Xᵃ f at the first end minus Xᵃ f at the
+/// last end. The other two sums contain s instead of f.
 type Sums<const N: usize> = [[f64; 4]; N];
 
 impl<'a, const N: usize> Nearest<'a, N> {
@@ -61,7 +63,7 @@ impl<'a, const N: usize> Nearest<'a, N> {
             for (k, share) in row.iter_mut().enumerate().take(j + 1) {
                 let [one, two, three, four] =
                     [1, 2, 3, 4].map(|more| bernstein::binomial(j, k) / (k + more) as f64);
-                // Parts of the length 2.
+                // The factor 0.5 divides the moments by the length 2 of the range.
                 let value = 0.5 * (one - 3.0 * three + 2.0 * four);
                 let slope = 0.5 * (two - 2.0 * three + four);
                 *share = if k % 2 == 0 {
@@ -87,7 +89,7 @@ impl<'a, const N: usize> Nearest<'a, N> {
         }
     }
 
-    /// Values of the approximation for all ranges.
+    /// Values of the approximation at the nodes, range by range.
     fn values(self) -> Vec<f64> {
         let scale = self.cells.per_length();
         let mut out = Vec::with_capacity(N * (self.breaks.len() - 1));
@@ -162,7 +164,8 @@ fn places(degree: usize) -> Vec<f64> {
     rule.into_iter().map(|(u, _)| 2.0 * u - 1.0).collect()
 }
 
-/// Values and slopes at both ends of a part of a cubic cell. The slopes are those with respect to a coordinate from 0 to 1 on the part.
+/// Values and slopes at both ends of a part of a cubic cell. The slopes are derivatives with respect to a coordinate from 0 to 1 on the
+/// part.
 #[inline(always)]
 fn part_of(b: &[f64; 4], range: (f64, f64)) -> Ends {
     let mut c = [0.0; 4];
@@ -170,7 +173,7 @@ fn part_of(b: &[f64; 4], range: (f64, f64)) -> Ends {
     [c[0], 3.0 * (c[1] - c[0]), c[3], 3.0 * (c[3] - c[2])]
 }
 
-/// Sums over cells with the given values and slopes at their ends. The first end is at x = `first`; the width of a cell is `step`.
+/// Sums over cells with the given values and slopes at their ends. The first end is at x = `first`, and the width of a cell is `step`.
 fn sums<const N: usize>(values: &[f64], slopes: &[f64], first: f64, step: f64) -> Sums<N> {
     let n = values.len() - 1;
     let last = first + n as f64 * step;

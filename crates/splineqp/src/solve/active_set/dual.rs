@@ -17,7 +17,7 @@ struct Member {
     multiplier: f64,
 }
 
-/// Active planes and the optimum on them.
+/// Active planes, and the optimum at which they are satisfied as equalities.
 pub struct Dual<'a> {
     factor: &'a ArrowFactor,
     /// Unconstrained optimum L⁻¹p, in the coordinates y = Lᵀx.
@@ -29,8 +29,9 @@ pub struct Dual<'a> {
     /// Number of steps so far. The next field is the maximum number of steps.
     pub steps: usize,
     most_steps: usize,
-    /// Squared length of the part of a normal outside the span of the active planes, relative to the squared length of the normal, below
-    /// which the plane is dependent.
+    /// Threshold for linear dependence. The normal of a plane is split into a component in the span of the active planes' normals and the
+    /// remaining component. The plane is dependent if the squared length of the remaining component is below this fraction of the normal's
+    /// squared length.
     dependent: f64,
 }
 
@@ -49,7 +50,7 @@ pub struct Stuck {
 }
 
 impl<'a> Dual<'a> {
-    /// Creates the method without planes. It starts at the unconstrained optimum `x`; `pull` is the linear term p.
+    /// Creates the method without planes. It starts at the unconstrained optimum `x`. The vector `pull` is the linear term p.
     pub fn new(
         factor: &'a ArrowFactor,
         mut pull: Vec<f64>,

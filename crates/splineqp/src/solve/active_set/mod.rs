@@ -78,7 +78,7 @@ pub fn solve<N: Names>(
             since_best = 0;
         } else {
             since_best += 1;
-            // The remaining violation is a rounding error: more rows do not reduce it.
+            // The remaining violation is a rounding error, and more rows do not reduce it.
             let fine = |b: &Solution<N>| b.violation < settings.resolved_at_last;
             if since_best >= settings.patience && best.as_ref().is_some_and(fine) {
                 return best.ok_or(rows);

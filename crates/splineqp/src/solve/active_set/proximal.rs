@@ -4,13 +4,14 @@
 //! program of a step about a centre (s̄, t̄) is
 //!
 //! ```text
-//! minimise  c·t + (εc/2T) mean (w·(s − s̄))² + (c/2T) (t − t̄)²      under the rows at hand
+//! minimise  c·t + (εc/2T) mean (w·(s − s̄))² + (c/2T) (t − t̄)²      subject to the present rows
 //! ```
 //!
-//! The matrix of this program has a banded factor. The solution is the next centre, and the points of maximum violation of its law become
+//! Here T is the peak of the initial law, w are the weights of the quantity whose peak is minimised, and ε is the proximal weight. The
+//! matrix of this program has a banded factor. The solution is the next centre, and the points of maximum violation of its law become
 //! further rows (theory §9). The multipliers of a step are scaled so that the gradient with respect to t is zero. The remaining gradient is
-//! then εM(x − x̄). As ε decreases from step to step, the lower bound from the multipliers approaches the peak, even if the law is not
-//! determined.
+//! then εM(x − x̄) with the coefficients x, x̄ of s, s̄ and a constant matrix M. As ε decreases from step to step, the lower bound from the
+//! multipliers approaches the peak, even if the law is not determined.
 
 use super::dual::{Dual, Plane};
 use crate::Names;
@@ -32,7 +33,7 @@ pub fn solve<N: Names>(program: &Program<N>) -> Result<Option<Solution<N>>, Fail
     Ok(start.and_then(|start| Search::new(program, start).run()))
 }
 
-/// Whether the method applies to a program: splines, no cones, and a peak with a positive cost.
+/// Whether the method applies to a program. The program must have splines, no cones, and a peak with a positive cost.
 pub fn suits<N: Names>(program: &Program<N>) -> bool {
     let splines = matches!(program.basis, Basis::Spline { .. });
     splines && program.cones.is_empty() && program.cost[PEAK] > 0.0
@@ -195,7 +196,8 @@ impl<'a, N: Names> Search<'a, N> {
                 break;
             }
             let Some(at) = self.step() else {
-                // Nearly dependent rows cause the loss of all digits in a step with a small weight. A larger weight restores them.
+                // In a step with a small weight, nearly dependent rows can cause the loss of all digits. A larger weight restores the
+                // accuracy.
                 if self.nearness >= own.nearness {
                     break;
                 }
@@ -217,11 +219,12 @@ impl<'a, N: Names> Search<'a, N> {
             if open <= 1.0 || since > own.patience {
                 break;
             }
-            // Once the multipliers prove the bound that the rows give, only further rows are necessary, and the weight is not reduced.
+            // If the multipliers already prove the minimum peak with the present rows, only further rows are necessary. The weight is then
+            // not reduced.
             let above = (peak - promised) * self.program.cost[PEAK] / proof.size;
             let proved = proof.stationarity <= settings.refinement.stationarity
                 && proof.relative_gap - above <= own.proved * settings.refinement.gap;
-            // Among laws that satisfy the other limits, the one with the smaller peak is better.
+            // Among laws that satisfy the other limits, the law with the smaller peak is better.
             let falls =
                 violation <= own.compared && reached.0 - peak >= own.kept * (reached.0 - promised);
             let lawful = reached.1 > settings.tolerance && violation < 0.5 * reached.1;
@@ -250,7 +253,7 @@ impl<'a, N: Names> Search<'a, N> {
     fn step(&mut self) -> Option<Vec<f64>> {
         let factor = self.factor()?;
         let (program, centre) = (self.program, &self.start.centre);
-        // Measured from the centre, so that the size of the law causes no loss of digits.
+        // The unknowns are measured from the centre, so that the size of the law causes no loss of digits.
         let mut pull: Vec<f64> = program.gradient.iter().map(|g| -g).collect();
         pull.extend(self.start.free.iter().map(|&k| -program.cost[k]));
         let away = |entries: &Entries, bound: f64| bound - apply(entries, centre);
@@ -289,7 +292,8 @@ impl<'a, N: Names> Search<'a, N> {
         limit.scale
     }
 
-    /// Solution with the law of a step and its actual peak, the peak of the rows alone, and the points at which the law violates limits.
+    /// Solution with the law of a step and its actual peak. Also returns the peak of the rows alone, and the points at which the law
+    /// violates limits.
     fn solution(&self, at: &[f64], round: usize) -> (Solution<N>, f64, Vec<(usize, Peak)>) {
         let program = self.program;
         let x = at[..program.basis.columns()].to_vec();
@@ -311,7 +315,7 @@ impl<'a, N: Names> Search<'a, N> {
         .fold(0.0, f64::max);
         let promised = extra[PEAK];
         extra[PEAK] = program.own_peak(&x, &extra);
-        // Multipliers scaled to those of the peak alone.
+        // The multipliers are scaled so that the multipliers of the rows with the peak balance the cost of the peak.
         let of_peak = |(i, m): &(usize, f64)| -m * self.rows[*i].extra[PEAK];
         let sum: f64 = self.active.iter().map(of_peak).sum();
         let scale = if sum > 0.0 {

@@ -111,7 +111,7 @@ fn solved<N: Names>(
 
 /// Units by which the quantities of the program are divided, so that the numbers of the solver are about one.
 struct Scaling {
-    /// Further variables that are used in the program; their columns follow those of the coefficients.
+    /// Further variables that are used in the program. Their columns follow the columns of the coefficients.
     free: Vec<Variable>,
     /// Unit of the peak variable.
     peak: f64,

@@ -17,13 +17,14 @@ use clarabel::InteriorPoint;
 ///
 /// # Errors
 ///
-/// The limits are infeasible; the solver stops without a result.
+/// - The limits are infeasible.
+/// - The solver stops without a result.
 pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> {
     if program.seeds.is_empty() {
         return without_seeds(program);
     }
     let contacts = program.seeds.iter().filter(|r| r.limit.is_some());
-    // A limit on a size alone is one row, which no point of the law would add.
+    // A limit on further variables alone is one row. It is added here because the exchange adds rows only at points of the law.
     let mut own = Vec::new();
     program.seed_rows(&mut own);
     own.retain(|r| r.entries.iter().all(|e| e.1 == 0.0));
@@ -66,11 +67,11 @@ pub fn from_rows<N: Names>(
     solver: &mut impl RowSolver<N>,
 ) -> Result<Solution<N>, Failure<N>> {
     let settings = &program.settings.exchange;
-    // A second refinement would fail at the same contacts.
+    // A second refinement would fail at the same active points.
     let mut is_refinable = program.rms.is_empty() && refine::is_wanted(program);
     let mut best: Option<Solution<N>> = None;
-    // Margin inside every limit for the residual of the solver. It is increased only if necessary. With a cone there is no refinement, so the margin
-    // is used from the start.
+    // Margin inside every limit for the residual of the solver. It is increased only if necessary. With a cone there is no refinement, so
+    // the margin is used from the start.
     let mut margin = if !program.cones.is_empty() || !program.rms.is_empty() {
         settings.cone_margin
     } else {
@@ -83,7 +84,7 @@ pub fn from_rows<N: Names>(
         }
         let point = match (solver.solve(program, &mut rows, margin), &best) {
             (Ok(point), _) => point,
-            // With the margin there is no solution; the rows without a margin may have one.
+            // With the margin there is no solution. The rows without a margin may have one.
             (Err(_), Some(_)) if margin > 0.0 => {
                 (margin, keeps_room) = (0.0, false);
                 continue;
@@ -152,7 +153,7 @@ fn add_rows<N: Names>(program: &Program<N>, rows: &mut Vec<Row<N>>, broken: Vec<
     }
 }
 
-/// Whether a row is active: its multiplier is larger than its slack, in the scaled units of the solver.
+/// Whether a row is active. The multiplier of an active row is larger than its slack, in the scaled units of the solver.
 fn is_active<N: Names>(program: &Program<N>, row: &Row<N>, x: &[f64], extra: &Values) -> bool {
     let unit = row_unit(&row.entries, program.length);
     let multiplier = row.multiplier * unit / program.multiplier_unit(extra[PEAK]);

@@ -13,8 +13,8 @@ use crate::poly::Peak;
 use crate::program::{Program, Row, Solution, Values};
 use crate::solve::active_set::ActiveSet;
 
-/// Improves a law whose active points are nearly exact. `peaks` are the local maxima near their bounds; a free level is fixed at `level`.
-/// `None` if a step fails or the violation increases too much.
+/// Improves a law whose active points are nearly exact. The points `peaks` are the local maxima near their bounds. A free level is fixed at
+/// `level`. `None` if a step fails or the violation increases too much.
 pub fn on_band<N: Names>(
     program: &Program<N>,
     unlimited: &Unlimited,
@@ -32,7 +32,7 @@ pub fn on_band<N: Names>(
         current.violation = program.worst(&peaks, &x, &Values::NONE);
         (current.x, current.active) = (x, active);
         current.iterations += 1;
-        // A row that is moved to its contact includes the contribution of the curvature to the gradient.
+        // Each active row is moved to the nearest local maximum. The gradient of the moved row includes the contribution of the curvature.
         current.active = contacts.gathered(&current, &peaks);
         if current.violation <= program.settings.tolerance {
             return Some(current);

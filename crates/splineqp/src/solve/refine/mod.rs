@@ -9,7 +9,9 @@
 //! (H + Σ λ/(−c″) a′a′ᵀ + ε) d + Eᵀν + Aᵀλ = −(Hx + g)      E d = e − E x      A d − δ (λ − λ₀) = b − A x
 //! ```
 //!
-//! for the law and the further variables together. The active points may not determine the active rows. For example, the law equals its
+//! for the step d of the law x and the further variables together. Here ν and λ are the new multipliers of the equalities E x = e and of
+//! the active rows A x ≤ b, and λ₀ are the previous ones. The rows of A are aᵀ, a′ is the derivative of a with respect to the angle, and c″
+//! is the second derivative of the limit's left side. The active points may not determine the active rows. For example, the law equals its
 //! bound on a whole range, or there are more active points than unknowns. A step is then a quadratic program with all rows near their
 //! bounds, and rows at violated points are added. The proximal terms ε and δ fix the directions that the objective and the active points do
 //! not determine. They do not change the result.
@@ -86,7 +88,7 @@ pub fn keeps_limits<N: Names>(program: &Program<N>, solution: &Solution<N>) -> b
     solution.violation <= tolerance || solution.violation <= rounding(program, solution)
 }
 
-/// Maximum ratio of gap, stationarity and violation to their refinement thresholds; at most 1 if no refinement is necessary.
+/// Maximum ratio of gap, stationarity and violation to their refinement thresholds. It is at most 1 if no refinement is necessary.
 pub fn openness<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
     let settings = &program.settings.refinement;
     let proof = certificate(program, solution);
@@ -117,7 +119,7 @@ pub fn on_contacts<N: Names>(program: &Program<N>, start: &Solution<N>) -> Optio
 }
 
 impl<'a, N: Names> Contacts<'a, N> {
-    /// Creates the refinement; `None` if the program is too large for a dense step, or has a cone.
+    /// Creates the refinement. `None` if the program is too large for a dense step, or has a cone.
     fn small(program: &'a Program<N>) -> Option<Self> {
         let unknowns = program.basis.columns() + program.equalities.len();
         let too_large = 2 * unknowns > program.settings.refinement.largest;
@@ -246,8 +248,8 @@ impl<'a, N: Names> Contacts<'a, N> {
             || a.peak.piece == b.peak.piece && self.is_flat(&self.program.limits[limit])
     }
 
-    /// Negative second derivative −c″ of the left side c at an active point inside its piece. `None` at the ends of a piece, and if c is
-    /// nearly constant.
+    /// Negative second derivative −c″ at an active point inside its piece, where c is the left side of the limit minus its shape. `None` at
+    /// the ends of a piece, if c is nearly constant, and if the limit contains the fourth derivative.
     fn sharpness(&self, x: &[f64], row: &Row<N>) -> Option<f64> {
         let limit = row.limit.map(|i| &self.program.limits[i])?;
         let w = limit.weights;
@@ -347,7 +349,7 @@ impl<'a, N: Names> Contacts<'a, N> {
                 rows.push(row.clone());
             }
         }
-        // A limit on variables alone is one row, which no point of the law would add.
+        // A limit on further variables alone is one row. No point of the law gives this row, so it is added here.
         for (index, limit) in program.limits.iter().enumerate() {
             if limit.is_on_variables_alone() && !rows.iter().any(|r| r.limit == Some(index)) {
                 rows.push(program.row(index, Peak::default()));
@@ -368,7 +370,8 @@ impl<'a, N: Names> Contacts<'a, N> {
 
     /// Step with all active rows as equalities. Rows with negative multipliers are removed, the most negative first.
     fn held_step(&self, from: &Solution<N>, solves: &mut usize) -> Option<Solution<N>> {
-        // A vertex has at most as many contacts as unknowns. Many more contacts result from an interior point or from a failed step.
+        // A vertex has at most as many active points as unknowns. Many more active points result from an interior point or from a failed
+        // step.
         let unknowns = self.program.basis.columns() + self.program.equalities.len();
         if from.active.len() > 2 * unknowns {
             return None;

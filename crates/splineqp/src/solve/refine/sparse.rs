@@ -10,9 +10,10 @@ const CORRECTIONS: usize = 2;
 /// Ordering of the unknowns in `rsparse`; 0 is minimum degree for the pattern of A + Aᵀ.
 const ORDERING: i8 = 0;
 
-/// Solution of A y = b. The lower triangle of A is given as (row, column, value); values at the same position are added. `None` if A is singular.
+/// Solution of A y = b. The lower triangle of A is given as (row, column, value). Values at the same position are added. `None` if A is
+/// singular.
 pub fn symmetric_solution(lower: &[(usize, usize, f64)], b: &[f64]) -> Option<Vec<f64>> {
-    // The ordering needs two unknowns.
+    // The ordering of `rsparse` needs at least two unknowns, so a single unknown is solved directly.
     if let [b] = b {
         let a: f64 = lower.iter().map(|entry| entry.2).sum();
         return Some(vec![b / a]).filter(|y| y[0].is_finite());

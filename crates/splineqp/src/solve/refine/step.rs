@@ -1,4 +1,4 @@
-//! Newton step for the active points. The linearised program about a solution is solved in scaled units.
+//! Newton step for the active points. The linearised program about a solution is solved in scaled units (symbols: see the module `refine`).
 //!
 //! ```text
 //! (H + Σ λ/(−c″) a′a′ᵀ + ε) d + Eᵀν + Aᵀλ = −(Hx + g)      E d = e − E x      A d − δ (λ − λ₀) = b − A x
