@@ -151,7 +151,7 @@ pub fn profile_columns(synthesis: &Design, rows: usize) -> Columns {
     points_columns(&all)
 }
 
-/// Profile points as CSV with the columns of `profile.csv`. It is used, for example, for the second cam of a conjugate pair.
+/// Profile points as CSV with the columns of `profile.csv`. This function also writes the second cam of a conjugate pair.
 pub fn points(rows: &[ProfilePoint]) -> String {
     text(&points_columns(rows))
 }

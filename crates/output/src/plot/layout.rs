@@ -165,7 +165,7 @@ impl<'a, 'c> Figure<'a, 'c> {
         let [x, y] = [self.layout.frame().left, 2.2 * self.e];
         let big = Lettering::new(1.35 * self.e, INK).bold();
         self.write(name, [x, y], big)?;
-        // Bold runs about a tenth wider than regular.
+        // Bold text is about 12 % wider than regular text.
         let after = x + 1.35 * self.e * 1.12 * text_width(name) + 0.9 * self.e;
         let plain = Lettering::new(1.35 * self.e, QUIET);
         self.write(what, [after, y], plain)

@@ -102,7 +102,7 @@ impl DrawingBackend for Recorder<'_> {
     }
 
     fn draw_pixel(&mut self, _: BackendCoord, _: BackendColor) -> Recorded {
-        // A pixel of this sheet is a sixteenth of a point, which is not visible.
+        // A pixel of plotters is one sheet unit, 1/16 point, which is too small to be visible.
         Ok(())
     }
 

@@ -1,12 +1,12 @@
-//! Computes the fraction of each pixel that a shape covers. The changes of the covered area at the edges are stored and then summed along
-//! each row.
+//! Computes the fraction of each pixel that a shape covers. The changes of the covered area at the edges of the shape are stored and then
+//! summed along each row of pixels.
 //!
 //! Source: R. Levien, font-rs (2015). In each row, an edge adds its signed area to the pixels on its right. The running sum along the row
 //! is the coverage.
 
 use std::ops::Range;
 
-/// Coverage below which a value counts as zero, because it is a rounding error.
+/// Coverage below which a value counts as zero. Smaller values are rounding errors.
 const NOTHING: f32 = 1e-3;
 
 /// Coverage of the pixels by a shape. It is accumulated from the edges of the polygons of the shape.

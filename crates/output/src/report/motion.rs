@@ -197,7 +197,7 @@ pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
     out
 }
 
-/// Row of the rigid machine at the angle `theta`: contact force, torque and lift.
+/// State of the rigid machine at the cam angle `theta`, rad, in the form of a simulated state: contact force, torque and lift.
 fn still(synthesis: &Design, theta: f64, at: Svaj) -> Row {
     let force = synthesis.force_at(theta);
     Row {

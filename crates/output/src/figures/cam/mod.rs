@@ -24,9 +24,9 @@ use pressure::Pressures;
 use table::values_at;
 
 const MM: f64 = 1000.0;
-/// Number of vertices of the drawn curves.
+/// Number of vertices of each drawn curve.
 const POINTS: usize = 720;
-/// Length of the dashes and gaps of the base circle, points.
+/// Lengths of dash and gap in the line of the base circle, points.
 const BASE: [f64; 2] = [7.0, 5.0];
 const PRIME: [f64; 2] = [13.0, 4.0];
 const PITCH: [f64; 2] = [4.0, 4.0];
@@ -339,7 +339,7 @@ impl<'a> Scene<'a> {
             trace(plane, path, stroke(INK, 1.4))?;
         }
         dot(plane, (0.0, 0.0), INK)?;
-        // The arrow is counter-clockwise for a positive speed. It is on the side where the cam is largest.
+        // The arrow is counter-clockwise for a positive speed. It is drawn in the direction of the centroid of the profile.
         let r = (0.45 * self.base.min(self.reach)).max(0.22 * self.reach);
         let middle = self.bulk().unwrap_or(0.7);
         let sense = if self.synthesis.problem.drive.speed < 0.0 {

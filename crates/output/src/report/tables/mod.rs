@@ -18,7 +18,7 @@ use gaitcam_base::text::escaped;
 /// Distance from a limit, as a fraction of the limit, up to which a satisfied limit counts as reached.
 const ON_THE_LIMIT: f64 = 0.005;
 
-/// Text of a value in the customary unit of its limit. For an unknown limit, it is in SI without a unit.
+/// Formats a value as text in the customary unit of its criterion. For an unknown criterion, the text is the SI value without a unit.
 pub fn shown(measures: Measures, limit: Criterion, value: f64, words: &Words) -> String {
     let unit = unit(measures, limit);
     let value = unit.factor * value;
