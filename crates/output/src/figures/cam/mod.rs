@@ -75,7 +75,7 @@ pub(crate) fn cam_in(synthesis: &Design, layout: Layout, words: &Words) -> Pictu
 struct Scene<'a> {
     synthesis: &'a Design,
     rows: Vec<ProfilePoint>,
-    /// Points of the edges to be cut, other than the first profile, m: upper wall of a groove, or second cam of a pair.
+    /// Points of the other edges of the cam, m: upper wall of a groove, or second cam of a pair. The first profile is in `rows`.
     others: Vec<Vec<[f64; 2]>>,
     start: f64,
     /// Contact pressure at the points of `rows`; `None` if it is not drawn.
@@ -321,7 +321,7 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// The curve, with its first point repeated at the end if the profile is closed.
+    /// Copy of a curve. If the profile is closed, the first point of the curve is repeated at its end.
     fn whole(&self, mut curve: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
         if !self.is_straight() && self.synthesis.cam.law.is_closed() && !curve.is_empty() {
             curve.push(curve[0]);
