@@ -90,7 +90,7 @@ impl Wall {
     }
 }
 
-/// Groove of a barrel cam: law of motion, inner and outer radius, and rollers.
+/// Groove of a barrel cam, defined by law of motion, inner and outer radius, and rollers.
 ///
 /// ```
 /// use gaitcam::cam::{BarrelGroove, Rollers};
@@ -112,8 +112,8 @@ pub struct BarrelGroove {
 }
 
 impl BarrelGroove {
-    /// Creates a groove between the radii `inner` (floor of the groove) and `outer` (surface of the cylinder), m. The law may extend over several
-    /// turns.
+    /// Creates a groove between the radii `inner` (floor of the groove) and `outer` (surface of the cylinder), m. The law may extend over
+    /// several turns.
     ///
     /// # Errors
     ///
@@ -189,16 +189,17 @@ impl BarrelGroove {
         [high, low.map(|angle| -angle)].map(|side| side.map(|angle| angle.max(0.0)))
     }
 
-    /// Radius of curvature of the middle line of the groove, unrolled at `radius`, m. Positive where the line bends towards −z, infinite where it is
-    /// straight.
+    /// Radius of curvature of the middle line of the groove, unrolled at `radius`, m. It is positive where the line bends towards −z, and
+    /// infinite where the line is straight.
     pub fn rho_pitch(&self, theta: f64, radius: f64) -> f64 {
         1.0 / self.pitch_curvature(self.law.svaj(theta), radius)
     }
 
-    /// Signed radius of curvature of a wall, unrolled at `radius`, m. Positive where the wall is convex towards the groove. On its convex parts,
-    /// the wall is undercut where the radius of curvature of the middle line is below the radius of the roller.
+    /// Signed radius of curvature of a wall, unrolled at `radius`, m. It is positive where the wall is convex towards the groove. A convex
+    /// wall is undercut where the radius of curvature of the middle line is below the radius of the roller.
     pub fn rho_wall(&self, theta: f64, radius: f64, wall: Wall) -> f64 {
-        // The material of the lower wall is below the groove, that of the upper wall above it: their curvatures have opposite signs.
+        // The material of the lower wall is below the groove and the material of the upper wall is above it. Their curvatures have opposite
+        // signs.
         -wall.sign() * self.rho_pitch(theta, radius) - self.roller_radius()
     }
 

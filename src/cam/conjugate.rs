@@ -51,7 +51,7 @@ pub enum Closure {
 pub struct Conjugate {
     /// The cam that drives the rise.
     pub first: Cam,
-    /// The cam that drives the fall, in its own frame. On the shaft it is rotated by half a turn.
+    /// The cam that drives the fall, in its own frame. On the shaft, this cam is rotated by half a turn.
     pub second: Cam,
     /// Constant dimension between the two followers: distance, m, or angle between the arms, rad.
     pub total: f64,
@@ -68,8 +68,8 @@ impl Conjugate {
         Conjugate::closed(first, closure, second_roller, Cam::check)
     }
 
-    /// Computes the pair as [`Conjugate::new`] does, but the arms are in planes other than those of the cams. Their pivots may therefore lie within
-    /// the profiles.
+    /// Computes the pair as [`Conjugate::new`] does, but with the arms in planes other than those of the cams. The pivots of the arms may
+    /// therefore lie within the profiles.
     ///
     /// # Errors
     ///
@@ -92,7 +92,7 @@ impl Conjugate {
             law,
             follower: opposite(&first.follower, radius)?,
         };
-        // Position of the first follower at maximum lift; the closure is measured from it.
+        // Position of the first follower at maximum lift. The distance or angle of the closure is measured from this position.
         let reach = first.follower.start_place() + top;
         match closure {
             Closure::SecondBaseRadius(base) => {
@@ -154,7 +154,7 @@ fn half_turned(p: ProfilePoint) -> ProfilePoint {
     }
 }
 
-/// Follower of the second cam before its size is determined: on the opposite side, with its own roller.
+/// Follower of the second cam before its size is determined. It is on the opposite side of the shaft and has a roller of its own radius.
 fn opposite(first: &Follower, radius: f64) -> Result<Follower> {
     let mut second = *first;
     match &mut second {

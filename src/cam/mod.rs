@@ -52,14 +52,14 @@ use serde::Serialize;
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Cam {
-    /// The law of motion. Its lift is measured from the base circle (prime circle).
+    /// The law of motion. Its lift is measured from the base circle, or from the prime circle for a roller.
     pub law: Law,
     /// Follower of the cam with its dimensions.
     pub follower: Follower,
 }
 
 impl Cam {
-    /// Creates a cam and checks that its follower fits the law; the pivot of an arm must lie outside the profile.
+    /// Creates a cam and checks that its follower can execute the law. The pivot of an arm must lie outside the profile.
     ///
     /// # Errors
     ///

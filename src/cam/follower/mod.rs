@@ -133,8 +133,8 @@ impl Follower {
         }
     }
 
-    /// Radius of the base circle, m: radius of the profile where the follower dwells at s = 0. For a translating cam it is the base height,
-    /// for a barrel the radius of the cylinder.
+    /// Radius of the base circle, m. It is the radius of the profile where the follower rests at s = 0. For a translating cam, the result
+    /// is the base height. For a barrel, it is the radius of the cylinder.
     pub fn base_radius(&self) -> f64 {
         match *self {
             Follower::FlatTranslating { base_radius }
@@ -162,7 +162,7 @@ impl Follower {
         }
     }
 
-    /// Follower with another base radius; for a barrel, with another radius of the cylinder.
+    /// Copy of the follower with the base radius `base`, m. For a barrel, `base` is the radius of the cylinder.
     #[must_use]
     pub fn with_base_radius(mut self, base: f64) -> Follower {
         let rolling = self.roller_radius();
@@ -224,7 +224,7 @@ impl Follower {
         (rp * rp - e * e).sqrt()
     }
 
-    /// Position of the follower at s = 0: its height above the cam centre, m, or the angle of its arm, rad.
+    /// Position of the follower at s = 0. It is the height above the cam centre, m, or the angle of the arm, rad.
     pub(super) fn start_place(&self) -> f64 {
         self.start_angle().unwrap_or_else(|| self.start_height())
     }

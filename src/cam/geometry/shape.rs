@@ -29,7 +29,7 @@ impl Cam {
         (angle(low), angle(high))
     }
 
-    /// Maximum |pressure angle|, rad, where the follower rises (ds/dθ > 0) and where it falls; 0 if there is no rise or fall.
+    /// Maximum absolute pressure angles, rad, during the rise (ds/dθ > 0) and during the fall of the follower; 0 without a rise or a fall.
     pub fn pressure_angles_by_motion(&self) -> [Extreme; 2] {
         let geometry = Geometry::new(&self.follower);
         let on_axis = matches!(geometry, Geometry::Unrolled(_)) || self.follower.offset() == 0.0;
@@ -102,11 +102,12 @@ impl Cam {
         Geometry::new(&self.follower).travel(at)
     }
 
-    /// Minimum and maximum radius of the finished profile about the centre of the shaft, m, with their cam angles; `None` for unrolled profiles.
+    /// Minimum and maximum radius of the finished profile about the centre of the shaft, m, with their cam angles; `None` for unrolled
+    /// profiles.
     ///
-    /// Where the distance of the profile from the centre is extreme, the normal of the profile is radial and the follower is at rest. The radius
-    /// there equals the radius of the base circle on which the follower would have this position at s = 0. The result is exact for a profile
-    /// without undercut.
+    /// Where the distance of the profile from the centre is extreme, the normal of the profile is radial and the follower is at rest. At
+    /// this point, the profile radius equals the radius of a base circle. It is the base circle on which the follower would have the same
+    /// position at s = 0. The result is exact for a profile without undercut.
     pub fn radii(&self) -> Option<[Extreme; 2]> {
         let follower = &self.follower;
         let start = follower.start_place();
@@ -115,15 +116,15 @@ impl Cam {
         (!follower.is_unrolled()).then(|| [at(low), at(high)])
     }
 
-    /// Minimum length of the face, flat or mushroom, m: the range of the contact on it. For a translating flat face this is max v − min v (Campillo
-    /// de Blas 2017). `None` for rollers and knife edges.
+    /// Minimum length of a flat or mushroom face, m. It is the length of the contact range on the face. For a translating flat face, it is
+    /// max v − min v (Campillo de Blas 2017). `None` for rollers and knife edges.
     pub fn face_width(&self) -> Option<f64> {
         self.contact_travel()
             .map(|(low, high)| high.value - low.value)
     }
 }
 
-/// Radius of a finished convex flank from the maximum curvature of its pitch curve; infinite if no part is convex.
+/// Radius of curvature of a finished convex flank, m, from the maximum curvature of its pitch curve; infinite if no part is convex.
 pub(in crate::cam) fn finished_radius(curvature: Extreme, roller: f64) -> Extreme {
     curvature.map(|bend| {
         if bend > 0.0 {

@@ -4,7 +4,7 @@ use super::Geometry;
 use crate::cam::{Cam, Follower, ProfilePoint};
 use crate::law::Svaj;
 
-/// Number of consecutive profile points with one common evaluation of sine and cosine. The addition theorems give the values of the other
+/// Number of consecutive profile points for which sine and cosine are evaluated once. The addition theorems give the values of the other
 /// points.
 const TURNS: usize = 32;
 
@@ -61,7 +61,7 @@ impl Geometry {
         }
     }
 
-    /// Profile point at the cam angle (or travel) `theta` for the motion `at` of the follower.
+    /// Point of the profile at the cam angle (or travel) `theta`. `at` is the motion of the follower at this angle.
     pub fn profile_point(&self, theta: f64, at: Svaj) -> ProfilePoint {
         self.seen_from(self.frame(theta), theta, at)
     }

@@ -1,4 +1,4 @@
-//! Detection of points far outside the scatter of the others.
+//! Detection of measured points far outside the scatter of the other points.
 
 use super::fit::Foot;
 
@@ -10,7 +10,7 @@ const NORMAL: f64 = 1.4826;
 /// Maximum fraction of outliers. If more points deviate, the deviations are attributed to the shape of the cam.
 const FEW: f64 = 0.05;
 
-/// Marks the points that are not outliers; `None` if too many points are far from the others.
+/// Marks the points that are not outliers; `None` if too many points are far from the other points.
 pub fn without_outliers(feet: &[Foot], size: f64) -> Option<Vec<bool>> {
     let middle_of = |mut values: Vec<f64>| {
         values.sort_by(f64::total_cmp);

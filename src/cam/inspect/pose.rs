@@ -2,7 +2,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-/// Rigid motion from the measuring frame to the cam's frame: q = R(angle)(m − pivot) + place.
+/// Rigid motion from the measuring frame to the cam's frame: q = R(angle)(m − pivot) + place. Here m is a measured point, q the same point
+/// in the cam's frame, and R the rotation matrix.
 #[derive(Debug, Clone, Copy)]
 pub struct Pose {
     pub angle: f64,

@@ -14,7 +14,7 @@ use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
 const MM: f64 = 1000.0;
-/// Index of the row with the headings, counted from 0.
+/// Index of the row with the headings of the CAM-DAS table, counted from 0.
 const HEADINGS: u32 = 9;
 const FIRST: u32 = 10;
 
@@ -195,10 +195,10 @@ struct Row {
     lift: f64,
 }
 
-/// A column of the table: its letter in CAM-DAS, the key of its heading, and the function for its values.
+/// A column of the workbook: its letter in CAM-DAS, the message key of its heading, and the function that computes its values.
 type Column = (u8, &'static str, fn(&Design, &Row) -> f64);
 
-/// Columns for all kinds of cam.
+/// Columns of the workbook for all kinds of cam.
 const EVERY: [Column; 9] = [
     (b'B', "sheet-lift", |_, r| r.lift * r.motion.s),
     (b'C', "sheet-velocity", |s, r| {

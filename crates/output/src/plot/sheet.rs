@@ -246,7 +246,7 @@ impl Lettering {
         }
     }
 
-    /// Copy of the style, with the text written upwards.
+    /// Copy of the style for text that is written upwards.
     pub fn upwards(mut self) -> Self {
         self.upwards = true;
         self
@@ -258,7 +258,7 @@ impl Lettering {
         self
     }
 
-    /// Copy of the style, with other horizontal and vertical anchors.
+    /// Copy of the style with the anchors `h` (horizontal) and `v` (vertical).
     pub fn anchored(mut self, h: HPos, v: VPos) -> Self {
         (self.h, self.v) = (h, v);
         self

@@ -30,7 +30,7 @@ fn em() -> f64 {
     f64::from(word(2))
 }
 
-/// Index of the row of a letter in the table; `None` if the letter is missing.
+/// Index of a letter in the table of letters; `None` if the table does not contain the letter.
 fn row(c: char) -> Option<usize> {
     let code = u16::try_from(u32::from(c)).ok()?;
     let (mut low, mut high) = (0, usize::from(word(0)));
@@ -45,7 +45,7 @@ fn row(c: char) -> Option<usize> {
     None
 }
 
-/// The letter `c`, or a replacement character if the table does not contain it.
+/// Letter of the typeface for the character `c`, or a replacement character if the typeface has no such letter.
 fn letter(c: char) -> Letter {
     let count = usize::from(word(0));
     let row = row(c).unwrap_or(0);

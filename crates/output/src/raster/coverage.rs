@@ -28,7 +28,7 @@ impl Coverage {
         }
     }
 
-    /// Adds one edge of a polygon. Parts outside the page are moved to its border.
+    /// Adds one edge of a polygon. Sections of the edge outside the page are moved to the border of the page.
     pub fn edge(&mut self, from: [f64; 2], to: [f64; 2]) {
         let down = from[1] < to[1];
         let [p, q] = if down { [from, to] } else { [to, from] };
@@ -50,7 +50,7 @@ impl Coverage {
         }
     }
 
-    /// Adds the part of an edge within one row. It extends from x = `a` to `b` and has the signed height `d`.
+    /// Adds the section of an edge within one row of pixels. It extends from x = `a` to `b` and has the signed height `d`.
     fn row(&mut self, row: usize, a: f64, b: f64, d: f64) {
         let most = self.width as f64;
         let (a, b) = (a.clamp(0.0, most), b.clamp(0.0, most));

@@ -25,7 +25,7 @@ use gaitcam::wording::{Language, walker};
 use gaitcam_base::text::escaped;
 
 const STYLE: &str = include_str!("page.css");
-/// Script module that computes the positions of the moving parts. The report and the studio use the same module.
+/// Script module that computes the positions of the moving parts of the animation. The report and the studio use this module.
 pub const MOTION_SCRIPT: &str = include_str!("motion.js");
 const SCRIPT: &str = include_str!("page.js");
 
