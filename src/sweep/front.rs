@@ -252,7 +252,7 @@ mod tests {
         );
         assert_eq!(front(&[[2.0, 2.0], [1.0, 1.0]]), [1]);
         assert_eq!(front(&[[1.0, 1.0], [1.0, 1.0], [f64::NAN, 0.0]]), [0]);
-        // Rounding keeps no design on the front, and a gain of 1e-6 does.
+        // A gain of the size of rounding errors does not keep a design on the front. A gain of 1e-6 does.
         let stroke = 0.043_734_862;
         assert_eq!(front(&[[stroke, 2.0], [stroke * (1.0 - 1e-15), 3.0]]), [0]);
         assert_eq!(

@@ -210,7 +210,7 @@ mod tests {
             },
         ] {
             for [x, y, _] in bore.outline() {
-                // Beside a corner the edge is continuous.
+                // The edge is continuous on both sides of a corner.
                 for turn in [-1e-9, 1e-9] {
                     let r = bore.edge(y.atan2(x) + turn);
                     assert!((r - x.hypot(y)).abs() < 1e-9, "{x} {y} {r}");

@@ -371,7 +371,7 @@ mod tests {
             let design = scene::read(&table).unwrap().design().unwrap();
             let made = Scatter::new(&design).unwrap().sample(&[], 0, 1, 1);
             let own = design.force.rms_error_n;
-            // Under a motor the stated error is a sum over 240 rows.
+            // With a motor, the force error of the design is a sum over only 240 angles.
             let rounding = match design.shaft {
                 Some(_) => 2e-7 * design.force.target_mean_n,
                 None => 1e-5 * own,
@@ -390,7 +390,7 @@ mod tests {
         }
     }
 
-    /// A measured point on the contour.
+    /// A measured point without deviation from the profile.
     fn exact(row: usize) -> Deviation {
         let theta = TAU * row as f64 / 90.0;
         let normal = 0.0;
@@ -406,7 +406,7 @@ mod tests {
     fn mass_and_speed_errors_cost_what_their_forces_say() {
         let design = design();
         let scatter = Scatter::new(&design).unwrap();
-        // ΔM adds ΔM·g everywhere and ΔM ω² a; a heavier block misses the mean by ΔM·g.
+        // An additional mass ΔM adds the forces ΔM·g and ΔM ω² a. The mean force then differs from the mean target by ΔM·g.
         let t = [
             Tolerance::parse("mass=10 %").unwrap(),
             Tolerance::parse("speed=5 %").unwrap(),
