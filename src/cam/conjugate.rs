@@ -16,7 +16,7 @@ use serde::Serialize;
 /// use gaitcam::cam::{Cam, Closure, Conjugate, Follower};
 /// use gaitcam::law::Law;
 ///
-/// // Faces 70 mm apart on a cam of base radius 20 mm and stroke 20 mm: the second has 30 mm.
+/// // For faces 70 mm apart, a first base radius of 20 mm and a stroke of 20 mm, the second base radius is 30 mm.
 /// let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
 /// let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let pair = Conjugate::new(&cam, Closure::Distance(0.07), None)?;
@@ -58,7 +58,7 @@ pub struct Conjugate {
 }
 
 impl Conjugate {
-    /// Computes the conjugate of `first`. `second_roller` is the radius of the second roller, m; `None` for an equal roller.
+    /// Computes the second cam for the cam `first`. `second_roller` is the radius of the second roller, m; `None` for an equal roller.
     ///
     /// # Errors
     ///

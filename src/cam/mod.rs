@@ -42,7 +42,7 @@ use serde::Serialize;
 /// use gaitcam::cam::{Cam, Follower};
 /// use gaitcam::law::Law;
 ///
-/// // s = 10 mm (1 + sin θ) under a flat face is an eccentric disc: a circle of 30 mm about (10 mm, 0).
+/// // For s = 10 mm (1 + sin θ) and a flat face, the cam is a disc of radius 30 mm about (10 mm, 0).
 /// let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
 /// let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.02 })?;
 /// for p in cam.profile(360) {

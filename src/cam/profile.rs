@@ -15,7 +15,7 @@ const NO_JUMP: f64 = 1e-9;
 /// use gaitcam::cam::{Cam, Follower};
 /// use gaitcam::law::Law;
 ///
-/// // A roller of 10 mm at rest on its prime circle of 40 mm: a disc of 30 mm.
+/// // For a roller of radius 10 mm at rest on a prime circle of 40 mm, the cam is a disc of radius 30 mm.
 /// let rest = Law::harmonic(0.0, &[]);
 /// let follower = Follower::RollerTranslating { prime_radius: 0.04, offset: 0.0, roller_radius: 0.01 };
 /// let point = Cam::new(rest, follower)?.point(1.0);

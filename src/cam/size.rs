@@ -10,7 +10,7 @@ use crate::law::Law;
 /// use gaitcam::cam::smallest_prime_circle;
 /// use gaitcam::law::Law;
 ///
-/// // s = h (1 − cos θ)/2 on the line through the centre: (v/tan φ − s) is largest where tan θ = −1/tan φ.
+/// // For s = h (1 − cos θ)/2 and no offset, v/tan φ − s has its maximum where tan θ = −1/tan φ.
 /// let (h, tan) = (0.02, 30f64.to_radians().tan());
 /// let law = Law::harmonic(0.5 * h, &[(-0.5 * h, 0.0)]);
 /// let circle = smallest_prime_circle(&law, 30f64.to_radians(), 30f64.to_radians(), Some(0.0));
@@ -18,7 +18,7 @@ use crate::law::Law;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PrimeCircle {
-    /// Radius Rp = √(D² + e²).
+    /// Radius Rp = √(D² + e²) of the prime circle, with the height D of the follower at s = 0.
     pub radius: f64,
     /// Offset e of the line of motion.
     pub offset: f64,
@@ -89,7 +89,7 @@ pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64
 /// use gaitcam::cam::{Cam, Follower, SizeLimits, smallest_for};
 /// use gaitcam::law::Law;
 ///
-/// // ρ = Rb + s + s″ of s = 20 mm + 20 mm cos 2θ is least at θ = 0: Rb + 40 − 80 mm.
+/// // For s = 20 mm + 20 mm cos 2θ, ρ = Rb + s + s″ has its minimum Rb + 40 mm − 80 mm at θ = 0.
 /// let law = Law::harmonic(0.02, &[(0.0, 0.0), (0.02, 0.0)]);
 /// let cam = Cam { law, follower: Follower::FlatTranslating { base_radius: 0.1 } };
 /// let limits = SizeLimits { rho_min: 0.005, ..SizeLimits::no_undercut() };

@@ -57,7 +57,7 @@ const DAMPED_DEGREE: usize = 7;
 /// ```
 /// use gaitcam::{Problem, scene};
 ///
-/// // The weight of the mass equals that of the walker: M = 700 N/g.
+/// // The weight of the mass equals the weight of the walker, so M = 700 N/g.
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
 /// assert!((problem.drive.mass - 700.0 / 9.81).abs() < 1e-9);
@@ -360,7 +360,7 @@ fn open_questions(
     let is_assumed = |note: &force::Note| matches!(note, force::Note::StrideAssumed { .. });
     let open = force::Note::doubts(notes).into_iter().map(opened);
     open.filter(|(question, notes)| {
-        // If the machine has its own speed, the stride time is not required.
+        // If the scene prescribes the speed, the stride time is not required.
         let is_settled =
             has_speed && *question == OpenQuestion::Clock && notes.iter().all(is_assumed);
         !is_settled && !gait.accept.contains(question)

@@ -16,7 +16,7 @@ use crate::wording::{self, Language};
 /// use gaitcam::problem::Note;
 /// use gaitcam::scene;
 ///
-/// // With v closed over a turn the stroke is at most 16 h/T² ≤ max |a| (theory §1).
+/// // For a closed law, the stroke h satisfies 16 h/T² ≤ max |a|, with the duration T of a turn (theory §1).
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
 /// let stroke = problem.notes().into_iter().find_map(|note| match note {

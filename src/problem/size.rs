@@ -20,7 +20,7 @@ impl Problem {
         }
     }
 
-    /// Radius of the prime circle, m, if given.
+    /// Radius of the prime circle, m; `None` if the size is not given.
     pub fn prime_radius(&self) -> Option<f64> {
         match self.size() {
             Size::Given { prime, .. } => Some(prime),
@@ -28,7 +28,7 @@ impl Problem {
         }
     }
 
-    /// Radius of the base circle, m, if given.
+    /// Radius of the base circle, m; `None` if the size is not given.
     pub fn base_radius(&self) -> Option<f64> {
         match self.size() {
             Size::Given { base, .. } => Some(base),
@@ -90,7 +90,7 @@ impl Problem {
         self.cam.hole().map_or(0.0, |hole| hole.least_base_radius())
     }
 
-    /// Lower bound of a base radius that the design determines, m, if the law is not known yet.
+    /// Lower bound of a base radius that the design determines, m, before the law is computed.
     pub fn hub_radius(&self) -> f64 {
         hub_radius(&self.cam, &self.limits, None)
     }

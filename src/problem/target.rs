@@ -145,7 +145,7 @@ impl Target {
         }
     }
 
-    /// RMS and maximum difference, N, over the turn. It is the difference between the target and the force of a law with a drive.
+    /// RMS and maximum force error of a law with a drive over the turn, N. The force error is the difference between force and target.
     pub fn error_of(&self, law: &Law, drive: &Drive) -> [f64; 2] {
         let series = || Some(self.cycle.series()).filter(|series| series.is_finite());
         if let Some(own) = law.harmonics()

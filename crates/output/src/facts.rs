@@ -89,7 +89,7 @@ pub fn facts(design: &Design, group: Group, language: Language) -> Vec<Fact> {
     list.facts
 }
 
-/// Facts of a group that are shown on the console, in one line; `None` without such facts.
+/// One line with the facts of a group for the console; `None` if the console shows none of them.
 pub fn line(design: &Design, group: Group, language: Language) -> Option<String> {
     let facts = facts(design, group, language);
     let part = |fact: &Fact| match fact.brief {
@@ -361,7 +361,7 @@ impl List<'_> {
         let Some(borne) = cam.allowable_pressure().filter(|_| !self.design.is_idle()) else {
             return;
         };
-        // Allowable pressure of the materials, with the safety factor.
+        // The allowable pressure of the materials is shown with the safety factor.
         let of_hardness = cam.making.hardness;
         let of_hardness = of_hardness.filter(|h| h.allowable_pressure() == borne);
         let margin = pressure.filter(|p| *p > 0.0);

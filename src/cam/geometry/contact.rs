@@ -1,4 +1,4 @@
-//! Contact of cam and follower.
+//! Contact of cam and follower, with normal and curvature.
 
 /// Contact of cam and follower in the fixed frame; lengths in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -9,7 +9,7 @@ pub(crate) struct Contact {
     pub pitch: [f64; 2],
     /// Unit normal, from the cam towards the follower.
     pub normal: [f64; 2],
-    /// Signed radius of curvature of the cam.
+    /// Radius of curvature of the cam; positive where the cam is convex.
     pub rho: f64,
     /// Tangent of the pressure angle. This angle extends from the motion of the follower to the contact normal and is positive
     /// counter-clockwise.

@@ -160,7 +160,7 @@ impl Kind for FlatOnArm {
             pitch: point,
             normal: [side * sin, cos],
             rho,
-            // Distance along the face from the foot of the perpendicular from the pivot to the contact: c cos ξ/(1 + σξ′).
+            // The distance along the face from the foot of the perpendicular from the pivot to the contact is c cos ξ/(1 + σξ′).
             tan_pressure: side * offset / (pivot * cos * speed) + 0.0,
         }
     }

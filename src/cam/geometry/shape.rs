@@ -19,7 +19,7 @@ impl Cam {
         }
         let geometry = Geometry::new(&self.follower);
         let (low, high) = match geometry {
-            // tan φ = v/scale is linear in the law: exact roots.
+            // tan φ = v/scale is linear in the law, so its extremes are exact.
             Geometry::Unrolled(unrolled) => self
                 .law
                 .extremes_of([0.0, 1.0 / unrolled.scale, 0.0, 0.0], 0.0),
@@ -51,8 +51,8 @@ impl Cam {
 
     /// Minimum convex and concave radii of the finished profile.
     ///
-    /// For a translating flat face, the radius of curvature is Rb + s + a, whose extremes are exact. A flat face cannot touch a concave flank, so
-    /// its minimum radius is signed and no concave radius is given.
+    /// For a translating flat face, the radius of curvature is Rb + s + a, with the base radius Rb, the lift s and its second derivative a.
+    /// Its extremes are exact. A flat face cannot touch a concave flank, so its minimum radius is signed and no concave radius is given.
     pub fn curvature(&self) -> Curvature {
         let geometry = Geometry::new(&self.follower);
         let flat = |low: Extreme| Curvature {

@@ -69,7 +69,7 @@ pub struct Deviation {
 /// use gaitcam::cam::{Cam, Follower};
 /// use gaitcam::law::Law;
 ///
-/// // The cam itself, turned by 30° in the measuring machine.
+/// // Points of the exact profile, with the cam rotated by 30° in the measuring machine.
 /// let law = Law::harmonic(0.01, &[(0.006, 0.004), (0.001, -0.002)]);
 /// let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.04 })?;
 /// let (sin, cos) = (std::f64::consts::PI / 6.0).sin_cos();

@@ -16,7 +16,7 @@ const NEAR: f64 = 0.1;
 /// Pair of minimum and maximum.
 type Range = [f64; 2];
 
-/// A harmonic law, with its ranges and the harmonics of its force.
+/// A harmonic law, with its extremes and the harmonics of its force.
 #[derive(Debug)]
 pub struct Shape {
     /// The law, with zero mean.

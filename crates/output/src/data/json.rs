@@ -171,7 +171,7 @@ fn law(design: &Design) -> Value {
         "degree": design.degree,
         "functions": design.functions,
         "coefficients": design.coefficients,
-        // Phase of the force cycle at cam angle 0.
+        // Phase of the force cycle at cam angle 0, rad.
         "phase_rad": design.problem.phase,
         "stroke_m": law.stroke(),
         "v_max_m_per_rad": real(v_max.value),

@@ -190,7 +190,7 @@ fn conflict(out: &mut String, synthesis: &Design, words: &Words) {
 /// Key figure of a report: name, value with unit, remark.
 pub type Card = (String, String, String);
 
-/// The text with a capital first letter.
+/// Copy of `text` with a capital first letter.
 fn capital(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().into_iter().flat_map(char::to_uppercase);

@@ -30,7 +30,7 @@ pub fn figures(design: &Design, language: Language) -> Vec<Figure> {
 /// Result of a check of the design, in customary units.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Checked {
-    /// Key of the criterion.
+    /// Key of the checked criterion, as in `summary.json`.
     pub key: &'static str,
     /// Name of the criterion.
     pub name: String,

@@ -234,7 +234,7 @@ impl<'a> Scene<'a> {
         };
         let outline: Vec<(f64, f64)> = self.rows.iter().map(|p| here(p.x, p.y)).collect();
         if self.is_straight() {
-            // Area of the plate from the profile down to its foot.
+            // Outline of the plate between the profile and the lower edge of the cam.
             let mut body = outline.clone();
             if let (Some(first), Some(last)) = (outline.first(), outline.last()) {
                 let foot = self.foot();

@@ -75,7 +75,7 @@ impl Scene<'_> {
         Ok(y)
     }
 
-    /// Names of the main dimensions, and their values.
+    /// Main dimensions of the cam as pairs of name and value.
     pub(super) fn facts(&self, words: &Words) -> Vec<(String, String)> {
         let language = words.language();
         let all = [Group::Law, Group::Cam].map(|group| facts(self.synthesis, group, language));
