@@ -1,4 +1,4 @@
-//! A sweep together with the content of its recordings. Any computer can compute any of its rows without further files.
+//! A sweep together with the content of its recordings. Any computer can compute any row of the sweep without further files.
 //!
 //! Row i depends only on the sweep and on i. Recordings are therefore stored by content and not by path.
 

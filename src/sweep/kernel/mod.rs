@@ -30,14 +30,14 @@ pub type Halts<'a> = &'a (dyn Fn() -> Halt + Sync);
 
 /// Maximum number of cached forces. Before a further force is added, all earlier forces are removed.
 const KEPT_FORCES: usize = 1024;
-/// Computes the rows of batches.
+/// Computes the rows of batches, with a cache of forces.
 pub struct Kernel<'a> {
     scenes: &'a [NamedScene],
     keys: Vec<Key>,
     files: &'a Files,
     halts: Halts<'a>,
     clock: Option<Clock<'a>>,
-    /// Whether a numeric key of the gait section is varied. One recording then gives several forces.
+    /// Whether a numeric key of the section `gait` is varied. One recording then gives several forces.
     varies_gait: bool,
     cycles: RwLock<BTreeMap<CycleName, Result<Arc<ForceCycle>>>>,
 }

@@ -165,7 +165,7 @@ struct Series {
     mean: f64,
     /// Amplitudes (cosine, sine) of the harmonics 1, 2, … of the turn.
     terms: Vec<(f64, f64)>,
-    /// RMS residual of the fit.
+    /// RMS residual of the fit, m (rad for an arm).
     left: f64,
 }
 

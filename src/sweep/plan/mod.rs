@@ -35,7 +35,8 @@ pub struct NamedScene {
 }
 
 impl NamedScene {
-    /// Creates a named scene from its table. The name is the value of the key `name`, so it does not depend on the file.
+    /// Creates a named scene from its table. The name is the value of the key `name`, or `cam` without this key. It does not depend on the
+    /// file.
     pub fn of(table: Table) -> NamedScene {
         let name = table.get("name").and_then(|name| name.as_str());
         let name = name.unwrap_or("cam").to_string();
@@ -149,7 +150,7 @@ impl Plan {
         })
     }
 
-    /// Number of rows of the plan. A number above the maximum of the type is replaced by this maximum.
+    /// Number of rows of the plan. If the number exceeds the maximum of `u128`, the result is this maximum.
     pub fn rows(&self) -> u128 {
         let list = self.list.as_ref().map_or(1, |l| u128::from(l.rows()));
         let sampling = match self.sampling {
@@ -351,7 +352,7 @@ impl Plan {
 }
 
 /// Maximum number of rows. Up to this limit, all integers are exact as 64-bit floating-point numbers. Many programs read row numbers as
-/// such.
+/// such numbers.
 const MOST_ROWS: u64 = 1 << 53;
 
 /// Converts the number of rows, if it does not exceed the maximum.

@@ -50,7 +50,7 @@ fn number(out: &mut String, x: f64) {
         return;
     }
     if x.is_finite() && x.abs() >= 1e16 {
-        // The format of Rust has no plus sign in the exponent, unlike the format below.
+        // The standard format has no plus sign in the exponent, unlike the format below.
         let _ = write!(out, "{x:e}");
         return;
     }
