@@ -34,8 +34,8 @@ pub enum Rollers {
         /// Radius of the roller, m.
         radius: f64,
     },
-    /// Two equal rollers on one stud, one above the other along the stud, with axes at ±eccentricity along z. Each roller touches only one wall
-    /// (desmodromic, Bautista Morelos 2018).
+    /// Two equal rollers on one stud, one above the other along the stud, with axes at ±eccentricity along z. Each roller touches only one
+    /// wall (desmodromic, Bautista Morelos 2018).
     TwoEccentric {
         /// Radius of both rollers, m.
         radius: f64,

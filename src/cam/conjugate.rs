@@ -1,7 +1,7 @@
 //! Conjugate cams: two cams on one shaft that enclose a double follower from both sides.
 //!
-//! In its own frame the second cam has the lift s₂ = s_max − s. Its follower points in the opposite direction, so the cam is rotated by half a turn
-//! on the shaft. Offset and pivot change sign.
+//! In its own frame the second cam has the lift s₂ = s_max − s. Its follower points in the opposite direction, so the cam is rotated by
+//! half a turn on the shaft. Offset and pivot change sign.
 
 use super::{Cam, Follower, ProfilePoint, SizeLimits, smallest_for};
 use serde_json::json;
@@ -62,8 +62,8 @@ impl Conjugate {
     ///
     /// # Errors
     ///
-    /// The first or the second cam is invalid, or `closure` does not match the kind of follower. If no second cam exists for a distance or an
-    /// angle, the error contains the minimum feasible value, if a feasible value exists.
+    /// The first or the second cam is invalid, or `closure` does not match the kind of follower. If no second cam exists for a distance or
+    /// an angle, the error contains the minimum feasible value, if a feasible value exists.
     pub fn new(first: &Cam, closure: Closure, second_roller: Option<f64>) -> Result<Conjugate> {
         Conjugate::closed(first, closure, second_roller, Cam::check)
     }
@@ -128,7 +128,8 @@ impl Conjugate {
         })
     }
 
-    /// Distance between the two faces or roller centres along the line of motion, m, or angle between the two arms, rad. It does not depend on θ.
+    /// Distance between the two faces or roller centres along the line of motion, m, or angle between the two arms, rad. It does not depend
+    /// on θ.
     pub fn sum(&self, theta: f64) -> f64 {
         let (first, second) = (&self.first, &self.second);
         first.follower.start_place()

@@ -58,9 +58,9 @@ impl Cam {
         self.jumps(order).first().map(|jump| jump.at)
     }
 
-    /// Minimum and maximum of the derivative of order `order` of the lift with respect to the cam angle. With a positive jump of the derivative of
-    /// the next lower order, the maximum is +∞. With a negative jump, the minimum is −∞. With a jump of a derivative of still lower order, both
-    /// extremes are infinite.
+    /// Minimum and maximum of the derivative of order `order` of the lift with respect to the cam angle. With a positive jump of the
+    /// derivative of the next lower order, the maximum is +∞. With a negative jump, the minimum is −∞. With a jump of a derivative of still
+    /// lower order, both extremes are infinite.
     pub fn derivative_extremes(&self, order: usize) -> (Extreme, Extreme) {
         let (mut low, mut high) = self.law.extremes(order);
         let joints = self.law.joints();

@@ -1,6 +1,6 @@
-//! Interference of roller, face or arm with the cam away from the contact. Undercut is a local interference at the contact. This check covers the
-//! whole profile. In CAM-DAS, the user has to check it visually. The profile is sampled at n points, so depths below the sagitta between two points
-//! (about step²/8ρ, with the radius of curvature ρ) are not detected.
+//! Interference of roller, face or arm with the cam away from the contact. Undercut is a local interference at the contact. This check
+//! covers the whole profile. In CAM-DAS, the user has to check it visually. The profile is sampled at n points, so depths below the sagitta
+//! between two points (about step²/8ρ, with the radius of curvature ρ) are not detected.
 
 use super::{Cam, Follower, Geometry, ProfilePoint};
 

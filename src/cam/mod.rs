@@ -1,7 +1,8 @@
 //! Cams: law of motion and follower, profile, checks and minimum size.
 //!
-//! Signs (theory §6): the cam turns counter-clockwise by θ, and the follower moves along +y. In the cam's frame, a fixed point is rotated by R(−θ) =
-//! [[cos θ, sin θ], [−sin θ, cos θ]]. The profile is therefore traversed clockwise. Curvature is positive where the cam is convex.
+//! Signs (theory §6): the cam turns counter-clockwise by θ, and the follower moves along +y. In the cam's frame, a fixed point is rotated
+//! by R(−θ) = [[cos θ, sin θ], [−sin θ, cos θ]]. The profile is therefore traversed clockwise. Curvature is positive where the cam is
+//! convex.
 
 mod barrel;
 mod checks;

@@ -36,9 +36,9 @@ pub fn smallest_base_radius(law: &Law, rho_min: f64) -> f64 {
 ///
 /// Let s be the lift, v its derivative, e the offset, D the height of the follower at s = 0, φ₁ = `rise` and φ₂ = `fall`. The pressure
 /// angle φ is given by tan φ = (v − e)/(s + D). The limits are v − e ≤ tan φ₁·(s + D) and −(v − e) ≤ tan φ₂·(s + D). At a reversal of the
-/// follower, the limit with the smaller tangent is |e| ≤ tan φ·(s + D). All limits are half planes in (D, e). The result is the point nearest
-/// to the origin that lies in all half planes. It is on one boundary line, or at the intersection of two boundary lines. If `offset` is
-/// given, only D is unknown.
+/// follower, the limit with the smaller tangent is |e| ≤ tan φ·(s + D). All limits are half planes in (D, e). The result is the point
+/// nearest to the origin that lies in all half planes. It is on one boundary line, or at the intersection of two boundary lines. If
+/// `offset` is given, only D is unknown.
 pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64>) -> PrimeCircle {
     let (t1, t2) = (libm::tan(rise), libm::tan(fall));
     let p1 = law.extremes_of([-t1, 1.0, 0.0, 0.0], 0.0).1.value;

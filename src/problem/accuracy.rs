@@ -49,16 +49,16 @@ impl Problem {
         (pressed && !self.limits.unjudged.contact_force).then_some(0.0)
     }
 
-    /// RMS force error, N, for which the automatic number of spans or harmonics is chosen, if the spread or the noise of the recording determines it.
-    /// `None` if the scene requires an accuracy, or if spread and noise do not increase this error.
+    /// RMS force error, N, for which the automatic number of spans or harmonics is chosen, if the spread or the noise of the recording
+    /// determines it. `None` if the scene requires an accuracy, or if spread and noise do not increase this error.
     pub fn error_at_noise(&self) -> Option<f64> {
         let asked = self.asked_error();
         let error = libm::hypot(asked.max(self.noise()), self.sensor_noise());
         (self.accuracy.is_none() && error > asked).then_some(error)
     }
 
-    /// RMS sensor noise in the samples of a single cycle, N; 0 if there are several cycles, whose spread includes the noise. The force error of a
-    /// smooth law cannot be smaller than the noise.
+    /// RMS sensor noise in the samples of a single cycle, N; 0 if there are several cycles, whose spread includes the noise. The force
+    /// error of a smooth law cannot be smaller than the noise.
     pub fn sensor_noise(&self) -> f64 {
         let single = self.force.filter(|force| force.spread_n == 0.0);
         single.map_or(0.0, |force| force.noise_n)
@@ -69,7 +69,8 @@ impl Problem {
         self.force.map_or(0.0, |force| force.mean_n.abs())
     }
 
-    /// Force error, N, below which a fit would follow the noise: one fifth of the step-to-step spread. Such an error increases the spread by 2 %.
+    /// Force error, N, below which a fit would follow the noise: one fifth of the step-to-step spread. Such an error increases the spread
+    /// by 2 %.
     fn noise(&self) -> f64 {
         0.2 * self.force.map_or(0.0, |force| force.spread_n)
     }

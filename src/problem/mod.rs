@@ -273,7 +273,8 @@ impl Problem {
         *self.length.get_or_init(typical)
     }
 
-    /// Whether the problem has a single force and a simple machine: constant shaft speed, rigid floor, no learned force, and no polydyne cam.
+    /// Whether the problem has a single force and a simple machine: constant shaft speed, rigid floor, no learned force, and no polydyne
+    /// cam.
     pub fn is_plain(&self) -> bool {
         let is_one = self.walkers.is_none() && self.on_shaft.is_none();
         is_one && self.machine.is_plain() && !self.law.polydyne

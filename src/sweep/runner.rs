@@ -151,7 +151,8 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// Division of a range of rows into parts. All parts but the last have equal size. An empty range has one part, so that the table contains its columns.
+/// Division of a range of rows into parts. All parts but the last have equal size. An empty range has one part, so that the table contains
+/// its columns.
 struct Parts {
     all: Range<u64>,
     size: u64,

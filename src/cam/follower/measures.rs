@@ -1,5 +1,5 @@
-//! Output units of the quantities of a design. Lifts are lengths, or angles for an arm. The position of the cam is an angle or a length. The load is
-//! a force or a moment.
+//! Output units of the quantities of a design. Lifts are lengths, or angles for an arm. The position of the cam is an angle or a length.
+//! The load is a force or a moment.
 
 use crate::units::Dimension;
 use crate::wording::{Language, degrees, fixed, number, people};

@@ -6,9 +6,9 @@ use crate::law::Svaj;
 use crate::poly::Extreme;
 
 impl Cam {
-    /// Minimum and maximum pressure angle φ, rad. It is positive if the force is rotated counter-clockwise from the motion, as during a rise. It is
-    /// zero for a translating flat face. For a flat face on an arm, sin φ = f/L, with the face offset f and the distance L from the pivot to the
-    /// contact.
+    /// Minimum and maximum pressure angle φ, rad. It is positive if the force is rotated counter-clockwise from the motion, as during a
+    /// rise. It is zero for a translating flat face. For a flat face on an arm, sin φ = f/L, with the face offset f and the distance L from
+    /// the pivot to the contact.
     pub fn pressure_angle_extremes(&self) -> (Extreme, Extreme) {
         if self.follower.is_flat() && self.follower.face_offset() == 0.0 {
             let zero = Extreme {
@@ -81,8 +81,8 @@ impl Cam {
     }
 
     /// Range of the contact on the follower, m: minimum and maximum position. On a flat face, positions are measured from the foot of the
-    /// perpendicular on the face. The perpendicular starts at the cam centre (translating) or at the pivot (oscillating, as in CAM-DAS). On a
-    /// mushroom they are measured along the chord from the middle of the arc. `None` for rollers and knife edges.
+    /// perpendicular on the face. The perpendicular starts at the cam centre (translating) or at the pivot (oscillating, as in CAM-DAS). On
+    /// a mushroom they are measured along the chord from the middle of the arc. `None` for rollers and knife edges.
     pub fn contact_travel(&self) -> Option<(Extreme, Extreme)> {
         match self.follower {
             Follower::FlatTranslating { .. } => Some(self.law.extremes(1)),
@@ -96,8 +96,8 @@ impl Cam {
         }
     }
 
-    /// Position of the contact on the follower at one instant of the motion, m, measured as in [`Cam::contact_travel`]. On a roller it is measured
-    /// along the chord from the middle of the roller.
+    /// Position of the contact on the follower at one instant of the motion, m, measured as in [`Cam::contact_travel`]. On a roller it is
+    /// measured along the chord from the middle of the roller.
     pub fn contact_along(&self, at: Svaj) -> f64 {
         Geometry::new(&self.follower).travel(at)
     }

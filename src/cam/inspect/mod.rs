@@ -8,8 +8,8 @@
 //! Points far outside the scatter of the other points are outliers. They are listed and excluded from the fit. Points of the mirror image
 //! are rejected. A part of the profile without points is reported.
 //!
-//! A rotation or translation of the whole cam is not a deviation. An eccentric bore is therefore detected only if the centre of the bore is measured
-//! as well.
+//! A rotation or translation of the whole cam is not a deviation. An eccentric bore is therefore detected only if the centre of the bore is
+//! measured as well.
 
 mod coverage;
 mod fit;

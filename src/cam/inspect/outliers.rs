@@ -2,8 +2,8 @@
 
 use super::fit::Foot;
 
-/// Two thresholds that the deviation of an outlier from the median exceeds. The first is a number of standard deviations, estimated from the median
-/// absolute deviation. The second is a fraction of the maximum radius.
+/// Two thresholds that the deviation of an outlier from the median exceeds. The first is a number of standard deviations, estimated from
+/// the median absolute deviation. The second is a fraction of the maximum radius.
 const OUTLIER: (f64, f64) = (10.0, 1e-6);
 /// Ratio of standard deviation and median absolute deviation of a normal distribution.
 const NORMAL: f64 = 1.4826;

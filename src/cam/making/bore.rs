@@ -124,8 +124,8 @@ impl Bore {
         }
     }
 
-    /// Minimum base radius with a sufficient wall around the bore, m. Around a bore without a keyway, the wall is 1 mm. Outside a keyway, the wall
-    /// is 3 mm, or half the depth of the keyway if this is more.
+    /// Minimum base radius with a sufficient wall around the bore, m. Around a bore without a keyway, the wall is 1 mm. Outside a keyway,
+    /// the wall is 3 mm, or half the depth of the keyway if this is more.
     pub fn least_base_radius(&self) -> f64 {
         let wall = |key: Keyway| KEYED_WALL.max(0.5 * key.depth);
         self.reach() + self.keyway.map_or(WALL, wall)

@@ -97,8 +97,8 @@ impl ForceCycle {
         }
     }
 
-    /// Creates a cycle whose cubics between the samples have the given slopes, N per sample. The number of slopes is the number of samples plus
-    /// one.
+    /// Creates a cycle whose cubics between the samples have the given slopes, N per sample. The number of slopes is the number of samples
+    /// plus one.
     pub fn with_slopes(curve: impl Into<Arc<ForceCurve>>, slopes: Vec<f64>) -> ForceCycle {
         let out = ForceCycle::new(curve);
         let cells = Arc::new(cells(out.curve(), slopes));

@@ -33,8 +33,8 @@ pub struct Series {
 type Fit = (OnceLock<[f64; 2]>, OnceLock<Option<Box<Shape>>>);
 
 impl Series {
-    /// Fourier series of samples. If the upper half of the harmonics contains only rounding errors, the force counts as a finite series, such as a
-    /// load model.
+    /// Fourier series of samples. If the upper half of the harmonics contains only rounding errors, the force counts as a finite series,
+    /// such as a load model.
     pub fn of(curve: &ForceCurve) -> Series {
         let spectrum = &amplitudes(&curve.force_n)[..=most(curve.force_n.len())];
         let (mean_n, waves) = (spectrum[0].0, &spectrum[1..]);

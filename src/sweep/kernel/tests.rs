@@ -214,7 +214,8 @@ fn closed_rows_equal_single_syntheses_under_limits_sizes_and_counts() {
     ));
 }
 
-/// Limits on torque, power and pressure are checked with the values of the closed form. The force of one foot is not a finite sum of harmonics.
+/// Limits on torque, power and pressure are checked with the values of the closed form. The force of one foot is not a finite sum of
+/// harmonics.
 #[test]
 fn closed_rows_equal_single_syntheses_under_loads_and_of_single_feet() {
     let loads = compared(

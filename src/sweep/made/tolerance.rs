@@ -102,8 +102,8 @@ const LOBES: std::ops::RangeInclusive<usize> = 2..=12;
 const FIXED: usize = 4;
 
 impl Tolerance {
-    /// Parses a tolerance such as `profile=0.02 mm`, `base_radius=0.1 mm`, `mass=1 %` or `speed=2 %`. Masses and speeds can also have absolute
-    /// tolerances (`0.5 kg`, `1 rpm`).
+    /// Parses a tolerance such as `profile=0.02 mm`, `base_radius=0.1 mm`, `mass=1 %` or `speed=2 %`. Masses and speeds can also have
+    /// absolute tolerances (`0.5 kg`, `1 rpm`).
     ///
     /// # Errors
     ///

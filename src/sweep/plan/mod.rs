@@ -135,7 +135,8 @@ const TRIED_COMBINATIONS: u128 = 256;
 const TRIED_VALUES: u64 = 64;
 
 impl Plan {
-    /// Creates a plan for one scene. Each element of `vary` is `KEY=START:STOP:COUNT` or `KEY=A,B`. For a sample, a range is `KEY=START:STOP`.
+    /// Creates a plan for one scene. Each element of `vary` is `KEY=START:STOP:COUNT` or `KEY=A,B`. For a sample, a range is
+    /// `KEY=START:STOP`.
     ///
     /// # Errors
     ///
@@ -271,9 +272,9 @@ impl Plan {
         Ok(())
     }
 
-    /// Rejects a value of `axis` that is invalid in every tried combination with the other keys. The combinations use every word of a key with
-    /// words, and the first value of a key with numbers. If a value is invalid only in some combinations, the rows of these combinations contain an
-    /// error.
+    /// Rejects a value of `axis` that is invalid in every tried combination with the other keys. The combinations use every word of a key
+    /// with words, and the first value of a key with numbers. If a value is invalid only in some combinations, the rows of these
+    /// combinations contain an error.
     fn try_value(&self, scene: &NamedScene, axis: &Axis, value: &AxisValue) -> Result<()> {
         let others: Vec<&Axis> = self.all_axes().filter(|a| a.key != axis.key).collect();
         let choices: Vec<u64> = others

@@ -19,7 +19,8 @@ use serde::{Deserialize, Serialize};
 #[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum Method {
-    /// Latin hypercube. Each axis is divided into N equal intervals, and each interval contains exactly one of the N points, at a random position.
+    /// Latin hypercube. Each axis is divided into N equal intervals, and each interval contains exactly one of the N points, at a random
+    /// position.
     #[default]
     Latin,
     /// Sobol sequence. Its points fill the unit cube evenly. A larger number of points continues the same sequence.
@@ -72,7 +73,8 @@ fn permuted(index: u64, count: u64, key: u64) -> u64 {
     }
 }
 
-/// Degree, coefficients of the primitive polynomial and first direction numbers for the axes 2, 3, … (Joe and Kuo 2008, table new-joe-kuo-6).
+/// Degree, coefficients of the primitive polynomial and first direction numbers for the axes 2, 3, … (Joe and Kuo 2008, table
+/// new-joe-kuo-6).
 const JOE_KUO: [(u32, u32, &[u64]); SOBOL_AXES - 1] = [
     (1, 0, &[1]),
     (2, 1, &[1, 3]),
