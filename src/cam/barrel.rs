@@ -1,9 +1,9 @@
 //! Barrel cams: a groove around a cylinder, with both walls computed in space at any depth.
 //!
 //! The z axis is the barrel's axis. A roller with a radial axis is at z = s(θ). The barrel turns counter-clockwise. In the barrel's frame,
-//! the roller moves around the z axis by −θ. The groove is unrolled at a distance R from the z axis, where its slope is tan φ = v/R
-//! (Bautista Morelos 2018, eq. 30). The contact points with the walls are at ±R_f (roller radius) from the roller's centre, along the
-//! normal of the unrolled groove.
+//! the roller moves around the z axis by −θ. The groove is unrolled at a distance R from the z axis, where its slope is tan φ = v/R, with
+//! the derivative v of the lift s (Bautista Morelos 2018, eq. 30). The contact points with the walls are at ±R_f (roller radius) from the
+//! roller's centre, along the normal of the unrolled groove.
 
 use super::Follower;
 use super::geometry::{Geometry, finished_radius};
@@ -19,7 +19,7 @@ use serde::Serialize;
 /// use gaitcam::cam::{BarrelGroove, Rollers};
 /// use gaitcam::law::Law;
 ///
-/// // A stud with two rollers of 5 mm, set off by ±0.2 mm: the groove is wide enough for both.
+/// // A stud with two rollers of radius 5 mm and eccentricity ±0.2 mm. The groove is wide enough for both rollers.
 /// let rollers = Rollers::TwoEccentric { radius: 0.005, eccentricity: 0.0002 };
 /// let law = Law::harmonic(0.0, &[(0.01, 0.0)]);
 /// let groove = BarrelGroove::new(law, 0.04, 0.05, rollers)?;
@@ -34,8 +34,8 @@ pub enum Rollers {
         /// Radius of the roller, m.
         radius: f64,
     },
-    /// Two equal rollers on one stud, one above the other along the stud, with axes at ±eccentricity along z. Each roller touches only one wall
-    /// (desmodromic, Bautista Morelos 2018).
+    /// Two equal rollers on one stud, one above the other along the stud, with axes at ±eccentricity along z. Each roller touches only one
+    /// wall (desmodromic, Bautista Morelos 2018).
     TwoEccentric {
         /// Radius of both rollers, m.
         radius: f64,
@@ -66,7 +66,7 @@ impl Rollers {
 /// use gaitcam::cam::{BarrelGroove, Rollers, Wall};
 /// use gaitcam::law::Law;
 ///
-/// // At rest both walls are parallels, one roller radius from the axis of the groove.
+/// // For a constant lift, both walls are circles at the distance of one roller radius from the middle line of the groove.
 /// let rest = Law::harmonic(0.0, &[]);
 /// let groove = BarrelGroove::new(rest, 0.04, 0.05, Rollers::One { radius: 0.005 })?;
 /// let [upper, lower] = [Wall::Upper, Wall::Lower].map(|wall| groove.wall_point(1.0, 0.05, wall));
@@ -90,13 +90,13 @@ impl Wall {
     }
 }
 
-/// Groove of a barrel cam: law of motion, inner and outer radius, and rollers.
+/// Groove of a barrel cam, defined by law of motion, inner and outer radius, and rollers.
 ///
 /// ```
 /// use gaitcam::cam::{BarrelGroove, Rollers};
 /// use gaitcam::law::Law;
 ///
-/// // tan φ = s′/R: 20 mm cos θ on a radius of 50 mm is steepest at θ = 90°, where tan φ = 0.4.
+/// // tan φ = s′/R. For s = 20 mm cos θ and R = 50 mm, the maximum of |tan φ| is 0.4, at θ = 90°.
 /// let law = Law::harmonic(0.0, &[(0.02, 0.0)]);
 /// let groove = BarrelGroove::new(law, 0.045, 0.055, Rollers::One { radius: 0.005 })?;
 /// let angle = groove.pressure_angle(std::f64::consts::FRAC_PI_2, 0.05);
@@ -112,8 +112,8 @@ pub struct BarrelGroove {
 }
 
 impl BarrelGroove {
-    /// Creates a groove between the radii `inner` (floor of the groove) and `outer` (surface of the cylinder), m. The law may extend over several
-    /// turns.
+    /// Creates a groove between the radii `inner` (floor of the groove) and `outer` (surface of the cylinder), m. The law may extend over
+    /// several turns.
     ///
     /// # Errors
     ///
@@ -164,18 +164,19 @@ impl BarrelGroove {
         self.rollers.radius()
     }
 
-    /// Offset along z of the axis of the roller that touches `wall`, m.
+    /// Offset along z from the middle line of the groove to the axis of the roller on `wall`, m.
     pub fn axis_offset(&self, wall: Wall) -> f64 {
         wall.sign() * self.rollers.eccentricity()
     }
 
-    /// Pressure angle at `radius` on the axis of the roller, rad, positive when rising: tan φ = v/R.
+    /// Pressure angle φ, rad, at the distance `radius` from the cam axis. It is positive during a rise. tan φ = v/R, with the derivative v
+    /// of the lift and R = `radius`.
     pub fn pressure_angle(&self, theta: f64, radius: f64) -> f64 {
         libm::atan(self.law.svaj(theta).v / radius)
     }
 
-    /// Minimum and maximum pressure angle at `radius` on the axis of the roller, rad. The absolute angles are largest at the floor of the
-    /// groove.
+    /// Minimum and maximum pressure angle, rad, at the distance `radius` from the cam axis. The absolute angles are largest at the floor of
+    /// the groove.
     pub fn pressure_angle_extremes(&self, radius: f64) -> (Extreme, Extreme) {
         let (low, high) = self.law.extremes(1);
         let angle = |e: Extreme| e.map(|v| libm::atan(v / radius));
@@ -189,21 +190,22 @@ impl BarrelGroove {
         [high, low.map(|angle| -angle)].map(|side| side.map(|angle| angle.max(0.0)))
     }
 
-    /// Radius of curvature of the middle line of the groove, unrolled at `radius`, m. Positive where the line bends towards −z, infinite where it is
-    /// straight.
+    /// Radius of curvature of the middle line of the groove, unrolled at `radius`, m. It is positive where the line bends towards −z, and
+    /// infinite where the line is straight.
     pub fn rho_pitch(&self, theta: f64, radius: f64) -> f64 {
         1.0 / self.pitch_curvature(self.law.svaj(theta), radius)
     }
 
-    /// Signed radius of curvature of a wall, unrolled at `radius`, m. Positive where the wall is convex towards the groove. On its convex parts,
-    /// the wall is undercut where the radius of curvature of the middle line is below the radius of the roller.
+    /// Signed radius of curvature of a wall, unrolled at `radius`, m. It is positive where the wall is convex towards the groove. A convex
+    /// wall is undercut where the radius of curvature of the middle line is below the radius of the roller.
     pub fn rho_wall(&self, theta: f64, radius: f64, wall: Wall) -> f64 {
-        // The material of the lower wall is below the groove, that of the upper wall above it: their curvatures have opposite signs.
+        // The material of the lower wall is below the groove and the material of the upper wall is above it. Their curvatures have opposite
+        // signs.
         -wall.sign() * self.rho_pitch(theta, radius) - self.roller_radius()
     }
 
-    /// Minimum convex radius of a wall at `radius`, m. A negative value means undercut. The value is infinite for a wall without a convex
-    /// part.
+    /// Minimum convex radius of curvature of a wall, unrolled at `radius`, m. A negative value means undercut. The value is infinite for a
+    /// wall without a convex part.
     pub fn smallest_bulge(&self, radius: f64, wall: Wall) -> Extreme {
         let side = -wall.sign();
         let bulge = |at| side * self.pitch_curvature(at, radius);
@@ -211,12 +213,12 @@ impl BarrelGroove {
         finished_radius(high, self.roller_radius())
     }
 
-    /// Contact point of a wall with its roller at `radius` on the axis of the roller, barrel frame, m. The wall is the exact envelope of a
-    /// cylindrical roller with a radial axis.
+    /// Contact point of a wall and its roller in the barrel's frame, m. `radius` is the distance from the cam axis along the roller axis.
+    /// The wall is the exact envelope of a cylindrical roller with a radial axis.
     pub fn wall_point(&self, theta: f64, radius: f64, wall: Wall) -> [f64; 3] {
         let at = self.law.svaj(theta);
         let [across, up] = self.wall_offset(at, radius, wall);
-        // Coordinates before the rotation: axis along +x, length of the groove along −y.
+        // Before the rotation, the roller axis is along +x, and the groove extends along −y.
         let (sin, cos) = libm::sincos(theta);
         let (x, y) = (radius, -across);
         [

@@ -22,9 +22,9 @@ use crate::poly::Extreme;
 pub struct Curvature {
     /// Minimum convex radius, m, signed: a negative value means undercut. Infinite if no part is convex.
     pub convex: Extreme,
-    /// Minimum concave radius, m (negative), if the profile has a concave part.
+    /// Minimum concave radius, m, which is negative; `None` if the profile has no concave part.
     pub concave: Option<Extreme>,
-    /// Whether the cam is undercut.
+    /// Whether a part of the profile is undercut.
     pub undercut: bool,
 }
 
@@ -45,7 +45,7 @@ pub struct Check {
     pub name: Criterion,
     /// Worst value over the whole law, in SI units.
     pub worst: f64,
-    /// Bound of the limit, in SI units.
+    /// Permitted value, in SI units.
     pub limit: f64,
     /// Cam angle of the worst value, rad.
     pub at: f64,

@@ -1,7 +1,7 @@
 //! Conjugate cams: two cams on one shaft that enclose a double follower from both sides.
 //!
-//! In its own frame the second cam has the lift s₂ = s_max − s. Its follower points in the opposite direction, so the cam is rotated by half a turn
-//! on the shaft. Offset and pivot change sign.
+//! In its own frame the second cam has the lift s₂ = s_max − s. Its follower points in the opposite direction, so the cam is rotated by
+//! half a turn on the shaft. Offset and pivot change sign.
 
 use super::{Cam, Follower, ProfilePoint, SizeLimits, smallest_for};
 use serde_json::json;
@@ -16,7 +16,7 @@ use serde::Serialize;
 /// use gaitcam::cam::{Cam, Closure, Conjugate, Follower};
 /// use gaitcam::law::Law;
 ///
-/// // Faces 70 mm apart on a cam of base radius 20 mm and stroke 20 mm: the second has 30 mm.
+/// // For faces 70 mm apart, a first base radius of 20 mm and a stroke of 20 mm, the second base radius is 30 mm.
 /// let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
 /// let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let pair = Conjugate::new(&cam, Closure::Distance(0.07), None)?;
@@ -51,25 +51,25 @@ pub enum Closure {
 pub struct Conjugate {
     /// The cam that drives the rise.
     pub first: Cam,
-    /// The cam that drives the fall, in its own frame. On the shaft it is rotated by half a turn.
+    /// The cam that drives the fall, in its own frame. On the shaft, this cam is rotated by half a turn.
     pub second: Cam,
     /// Constant dimension between the two followers: distance, m, or angle between the arms, rad.
     pub total: f64,
 }
 
 impl Conjugate {
-    /// Computes the conjugate of `first`. `second_roller` is the radius of the second roller, m; `None` for an equal roller.
+    /// Computes the second cam for the cam `first`. `second_roller` is the radius of the second roller, m; `None` for an equal roller.
     ///
     /// # Errors
     ///
-    /// The first or the second cam is invalid, or `closure` does not match the kind of follower. If no second cam exists for a distance or an
-    /// angle, the error contains the minimum feasible value, if a feasible value exists.
+    /// The first or the second cam is invalid, or `closure` does not match the kind of follower. If no second cam exists for a distance or
+    /// an angle, the error contains the minimum feasible value, if a feasible value exists.
     pub fn new(first: &Cam, closure: Closure, second_roller: Option<f64>) -> Result<Conjugate> {
         Conjugate::closed(first, closure, second_roller, Cam::check)
     }
 
-    /// Computes the pair as [`Conjugate::new`] does, but the arms are in planes other than those of the cams. Their pivots may therefore lie within
-    /// the profiles.
+    /// Computes the pair as [`Conjugate::new`] does, but with the arms in planes other than those of the cams. The pivots of the arms may
+    /// therefore lie within the profiles.
     ///
     /// # Errors
     ///
@@ -92,7 +92,7 @@ impl Conjugate {
             law,
             follower: opposite(&first.follower, radius)?,
         };
-        // Position of the first follower at maximum lift; the closure is measured from it.
+        // Position of the first follower at maximum lift. The distance or angle of the closure is measured from this position.
         let reach = first.follower.start_place() + top;
         match closure {
             Closure::SecondBaseRadius(base) => {
@@ -128,7 +128,8 @@ impl Conjugate {
         })
     }
 
-    /// Distance between the two faces or roller centres along the line of motion, m, or angle between the two arms, rad. It does not depend on θ.
+    /// Distance between the two faces or roller centres along the line of motion, m, or angle between the two arms, rad. It does not depend
+    /// on θ.
     pub fn sum(&self, theta: f64) -> f64 {
         let (first, second) = (&self.first, &self.second);
         first.follower.start_place()
@@ -154,7 +155,7 @@ fn half_turned(p: ProfilePoint) -> ProfilePoint {
     }
 }
 
-/// Follower of the second cam before its size is determined: on the opposite side, with its own roller.
+/// Follower of the second cam before its size is determined. It is on the opposite side of the shaft and has a roller of its own radius.
 fn opposite(first: &Follower, radius: f64) -> Result<Follower> {
     let mut second = *first;
     match &mut second {

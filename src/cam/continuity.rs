@@ -8,13 +8,14 @@ use crate::poly::Extreme;
 
 /// Fraction of the peak-to-peak value of a derivative below which its jumps are rounding errors.
 const JUMP: f64 = 1e-7;
-/// Minimum reference size of a derivative, m/radᵏ, for its threshold [`JUMP`]. A derivative that varies less counts as constant.
+/// Lower bound of the range to which [`JUMP`] is related, m/radᵏ, where k is the order of the derivative. A derivative that varies less
+/// counts as constant.
 const STILL: f64 = 1e-9;
-/// Absolute size, m/radᵏ, below which a jump is a rounding error on any cam.
+/// Size below which a jump is a rounding error on any cam, m/radᵏ, where k is the order of the derivative.
 const ROUNDING: f64 = 1e-13;
-/// Fraction of the prime radius that is the minimum reference size of a derivative for its threshold [`JUMP`].
+/// Second lower bound of the range to which [`JUMP`] is related, as a fraction of the prime radius.
 const HARDLY_MOVES: f64 = 1e-6;
-/// Variation of the cam's breadth over a turn, relative to the stroke, below which the breadth counts as constant.
+/// Variation of the cam's breadth over a turn below which the breadth counts as constant, as a fraction of the stroke.
 const BREADTH: f64 = 1e-9;
 
 /// Continuity of lift, velocity, acceleration and jerk.
@@ -57,9 +58,9 @@ impl Cam {
         self.jumps(order).first().map(|jump| jump.at)
     }
 
-    /// Minimum and maximum of the derivative of order `order` of the lift with respect to the cam angle. With a positive jump of the derivative of
-    /// the next lower order, the maximum is +∞. With a negative jump, the minimum is −∞. With a jump of a derivative of still lower order, both
-    /// extremes are infinite.
+    /// Minimum and maximum of the derivative of order `order` of the lift with respect to the cam angle. With a positive jump of the
+    /// derivative of the next lower order, the maximum is +∞. With a negative jump, the minimum is −∞. With a jump of a derivative of still
+    /// lower order, both extremes are infinite.
     pub fn derivative_extremes(&self, order: usize) -> (Extreme, Extreme) {
         let (mut low, mut high) = self.law.extremes(order);
         let joints = self.law.joints();
@@ -77,7 +78,7 @@ impl Cam {
         (low, high)
     }
 
-    /// Jumps of a derivative that exceed rounding errors: position and size.
+    /// Jumps of the derivative of the given order (0 = lift … 3 = jerk) that exceed rounding errors. Each has its cam angle and its size.
     pub fn jumps(&self, order: usize) -> Vec<Extreme> {
         self.jumps_at(&self.law.joints(), order)
     }
@@ -87,7 +88,7 @@ impl Cam {
             at: x.at,
             value: [x.jump.s, x.jump.v, x.jump.a, x.jump.j][order],
         });
-        // A derivative that is zero up to rounding errors has no jumps: the threshold also scales with the size of the cam.
+        // The threshold also scales with the size of the cam. A derivative that is zero up to rounding errors therefore has no jumps.
         let size = (HARDLY_MOVES * self.follower.prime_radius()).max(STILL);
         let above = |range: f64| move |x: &Extreme| x.value.abs() > (JUMP * range).max(ROUNDING);
         let mut jumps: Vec<Extreme> = jump.filter(above(size)).collect();

@@ -1,6 +1,6 @@
-//! Interference of roller, face or arm with the cam away from the contact. Undercut is a local interference at the contact. This check covers the
-//! whole profile. In CAM-DAS, the user has to check it visually. The profile is sampled at n points, so depths below the sagitta between two points
-//! (about step²/8ρ, with the radius of curvature ρ) are not detected.
+//! Interference of roller, face or arm with the cam away from the contact. Undercut is a local interference at the contact. This check
+//! covers the whole profile. In CAM-DAS, the user has to check it visually. The profile is sampled at n points, so depths below the sagitta
+//! between two points (about step²/8ρ, with the radius of curvature ρ) are not detected.
 
 use super::{Cam, Follower, Geometry, ProfilePoint};
 
@@ -10,7 +10,7 @@ use super::{Cam, Follower, Geometry, ProfilePoint};
 /// use gaitcam::cam::{Body, Cam, Follower};
 /// use gaitcam::law::Law;
 ///
-/// // A roller of 12 mm on a prime circle of 40 mm touches nothing else.
+/// // A roller of radius 12 mm on a prime circle of 40 mm touches the cam only at the contact.
 /// let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
 /// let follower = Follower::RollerTranslating { prime_radius: 0.04, offset: 0.0, roller_radius: 0.012 };
 /// let found = Cam::new(law, follower)?.interference(360, 0.0, 1e-6);
@@ -33,7 +33,7 @@ pub enum Body {
 /// use gaitcam::cam::{Cam, Follower};
 /// use gaitcam::law::Law;
 ///
-/// // The face of an eccentric disc lies along its edge and in no part of it.
+/// // The face touches an eccentric disc only at its edge.
 /// let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
 /// let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.02 })?;
 /// assert!(cam.interference(360, 0.0, 1e-6).is_empty());
@@ -47,7 +47,7 @@ pub struct Interference {
     pub at: f64,
     /// Cam angle of the interfering profile point, rad.
     pub point: f64,
-    /// Depth of this profile point inside the part, m.
+    /// Depth of this profile point inside the part of the follower, m.
     pub depth: f64,
 }
 
@@ -56,7 +56,7 @@ impl Cam {
     /// a bar of the given width, m, in the plane of the cam. A width of 0 means that it is in another plane and is not checked. Depths
     /// below `tolerance`, m, are not reported. The result is empty without interference.
     ///
-    /// An arm that carries a small roller must be narrower than the roller, or it is reported.
+    /// An arm with a small roller must be narrower than the roller. Otherwise, interference is reported.
     pub fn interference(&self, n: usize, arm_width: f64, tolerance: f64) -> Vec<Interference> {
         let profile = self.profile(n);
         let geometry = Geometry::new(&self.follower);
@@ -73,7 +73,8 @@ impl Cam {
                 };
                 (Body::Face, deepest(&profile, depth))
             } else {
-                // Squared distances in the cam's frame: this loop takes most of the time of a design with a roller.
+                // Squared distances are sufficient here. They are computed in the cam's frame, because this loop takes most of the time of
+                // a design with a roller.
                 let near =
                     |p: &ProfilePoint| -((p.x - centre[0]).powi(2) + (p.y - centre[1]).powi(2));
                 let (square, point) = deepest(&profile, near);

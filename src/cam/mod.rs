@@ -1,7 +1,8 @@
 //! Cams: law of motion and follower, profile, checks and minimum size.
 //!
-//! Signs (theory §6): the cam turns counter-clockwise by θ, and the follower moves along +y. In the cam's frame, a fixed point is rotated by R(−θ) =
-//! [[cos θ, sin θ], [−sin θ, cos θ]]. The profile is therefore traversed clockwise. Curvature is positive where the cam is convex.
+//! Signs (theory §6): the cam turns counter-clockwise by θ, and the follower moves along +y. In the cam's frame, a fixed point is rotated
+//! by R(−θ) = [[cos θ, sin θ], [−sin θ, cos θ]]. The profile is therefore traversed clockwise. Curvature is positive where the cam is
+//! convex.
 
 mod barrel;
 mod checks;
@@ -42,7 +43,7 @@ use serde::Serialize;
 /// use gaitcam::cam::{Cam, Follower};
 /// use gaitcam::law::Law;
 ///
-/// // s = 10 mm (1 + sin θ) under a flat face is an eccentric disc: a circle of 30 mm about (10 mm, 0).
+/// // For s = 10 mm (1 + sin θ) and a flat face, the cam is a disc of radius 30 mm about (10 mm, 0).
 /// let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
 /// let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.02 })?;
 /// for p in cam.profile(360) {
@@ -52,14 +53,14 @@ use serde::Serialize;
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Cam {
-    /// The law of motion. Its lift is measured from the base circle (prime circle).
+    /// The law of motion. Its lift is measured from the base circle, or from the prime circle for a roller.
     pub law: Law,
     /// Follower of the cam with its dimensions.
     pub follower: Follower,
 }
 
 impl Cam {
-    /// Creates a cam and checks that its follower fits the law; the pivot of an arm must lie outside the profile.
+    /// Creates a cam and checks that its follower can execute the law. The pivot of an arm must lie outside the profile.
     ///
     /// # Errors
     ///

@@ -4,7 +4,7 @@ use super::Cam;
 use super::geometry::Geometry;
 use crate::law::Joint;
 
-/// Fraction of the maximum of a derivative below which its jumps are rounding errors.
+/// Fraction of the maximum of a derivative below which its jumps are treated as rounding errors.
 const NO_JUMP: f64 = 1e-9;
 
 /// Point of the profile; lengths in m, angles in rad.
@@ -15,7 +15,7 @@ const NO_JUMP: f64 = 1e-9;
 /// use gaitcam::cam::{Cam, Follower};
 /// use gaitcam::law::Law;
 ///
-/// // A roller of 10 mm at rest on its prime circle of 40 mm: a disc of 30 mm.
+/// // For a roller of radius 10 mm at rest on a prime circle of 40 mm, the cam is a disc of radius 30 mm.
 /// let rest = Law::harmonic(0.0, &[]);
 /// let follower = Follower::RollerTranslating { prime_radius: 0.04, offset: 0.0, roller_radius: 0.01 };
 /// let point = Cam::new(rest, follower)?.point(1.0);
@@ -32,9 +32,9 @@ pub struct ProfilePoint {
     pub x: f64,
     /// y coordinate of the contact point on the finished cam, cam frame.
     pub y: f64,
-    /// x coordinate of the centre of roller or arc, cam frame; for a flat face of the contact point.
+    /// x coordinate of the centre of the roller or arc, cam frame. For a flat face, it equals `x`.
     pub pitch_x: f64,
-    /// y coordinate of the centre of roller or arc, cam frame; for a flat face of the contact point.
+    /// y coordinate of the centre of the roller or arc, cam frame. For a flat face, it equals `y`.
     pub pitch_y: f64,
     /// Signed radius of curvature of the finished cam: positive where convex, negative where concave.
     pub rho: f64,
@@ -65,8 +65,8 @@ impl Cam {
             .collect()
     }
 
-    /// `n` profile points at equal steps of the cam angle, from the first angle of the law. For a closed law, the curve closes at point 0, which is
-    /// not repeated. For an open law, the last point is the end of the law.
+    /// `n` profile points at equal steps of the cam angle, from the first angle of the law. For a closed law, the first point is not
+    /// repeated at the end. For an open law, the last point is at the end of the law.
     pub fn profile(&self, n: usize) -> Vec<ProfilePoint> {
         let (start, length) = self.law.extent();
         let steps = if self.law.is_closed() {

@@ -10,7 +10,7 @@ use crate::law::Law;
 /// use gaitcam::cam::smallest_prime_circle;
 /// use gaitcam::law::Law;
 ///
-/// // s = h (1 − cos θ)/2 on the line through the centre: (v/tan φ − s) is largest where tan θ = −1/tan φ.
+/// // For s = h (1 − cos θ)/2 and no offset, v/tan φ − s has its maximum where tan θ = −1/tan φ.
 /// let (h, tan) = (0.02, 30f64.to_radians().tan());
 /// let law = Law::harmonic(0.5 * h, &[(-0.5 * h, 0.0)]);
 /// let circle = smallest_prime_circle(&law, 30f64.to_radians(), 30f64.to_radians(), Some(0.0));
@@ -18,30 +18,34 @@ use crate::law::Law;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PrimeCircle {
-    /// Radius Rp = √(D² + e²).
+    /// Radius Rp = √(D² + e²) of the prime circle, with the height D of the follower at s = 0.
     pub radius: f64,
     /// Offset e of the line of motion.
     pub offset: f64,
 }
 
-/// Minimum base radius of a flat-faced cam whose radius of curvature is at least `rho_min`, m: Rb = ρ_min − min(s + a), not below zero.
+/// Minimum base radius of a flat-faced cam whose radius of curvature is at least `rho_min`, m. It is ρ_min − min(s + a), but not below
+/// zero, with the lift s and its second derivative a.
 pub fn smallest_base_radius(law: &Law, rho_min: f64) -> f64 {
     let (low, _) = law.extremes_of([1.0, 0.0, 1.0, 0.0], 0.0);
     (rho_min - low.value).max(0.0)
 }
 
-/// Minimum prime circle with |pressure angle| at most `rise` where the follower rises and at most `fall` where it falls, rad, both in (0, π/2).
+/// Minimum prime circle for limits on the absolute pressure angle. The limit is `rise` while the follower rises and `fall` while it falls,
+/// rad, both in (0, π/2).
 ///
-/// With tan φ = (v − e)/(s + D) the limits are v − e ≤ tan φ₁·(s + D) and −(v − e) ≤ tan φ₂·(s + D). At a reversal of the follower, the limit with
-/// the smaller tangent is |e| ≤ tan φ·(s + D). All limits are half planes in (D, e). The result is the point nearest to the origin that lies in all
-/// half planes. It is on one boundary line, or at the intersection of two. If `offset` is given, only D is unknown.
+/// Let s be the lift, v its derivative, e the offset, D the height of the follower at s = 0, φ₁ = `rise` and φ₂ = `fall`. The pressure
+/// angle φ is given by tan φ = (v − e)/(s + D). The limits are v − e ≤ tan φ₁·(s + D) and −(v − e) ≤ tan φ₂·(s + D). At a reversal of the
+/// follower, the limit with the smaller tangent is |e| ≤ tan φ·(s + D). All limits are half planes in (D, e). The result is the point
+/// nearest to the origin that lies in all half planes. It is on one boundary line, or at the intersection of two boundary lines. If
+/// `offset` is given, only D is unknown.
 pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64>) -> PrimeCircle {
     let (t1, t2) = (libm::tan(rise), libm::tan(fall));
     let p1 = law.extremes_of([-t1, 1.0, 0.0, 0.0], 0.0).1.value;
     let p2 = law.extremes_of([-t2, -1.0, 0.0, 0.0], 0.0).1.value;
     let turning = t1.min(t2);
     let at_rest = -turning * law.extremes(0).0.value;
-    // Tangent t, sign of e and bound p of t·D ± e ≥ p.
+    // Each half plane is t·D ± e ≥ p. The entries are the tangent t, the sign of e, and the bound p.
     let planes = [
         (t1, 1.0, p1),
         (t2, -1.0, p2),
@@ -85,7 +89,7 @@ pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64
 /// use gaitcam::cam::{Cam, Follower, SizeLimits, smallest_for};
 /// use gaitcam::law::Law;
 ///
-/// // ρ = Rb + s + s″ of s = 20 mm + 20 mm cos 2θ is least at θ = 0: Rb + 40 − 80 mm.
+/// // For s = 20 mm + 20 mm cos 2θ, ρ = Rb + s + s″ has its minimum Rb + 40 mm − 80 mm at θ = 0.
 /// let law = Law::harmonic(0.02, &[(0.0, 0.0), (0.02, 0.0)]);
 /// let cam = Cam { law, follower: Follower::FlatTranslating { base_radius: 0.1 } };
 /// let limits = SizeLimits { rho_min: 0.005, ..SizeLimits::no_undercut() };
@@ -125,7 +129,7 @@ impl SizeLimits {
             return false;
         }
         let [rise, fall] = cam.pressure_angles_by_motion();
-        // Rounding of the angle at the limit itself.
+        // Tolerance for rounding errors of a pressure angle at its limit, rad.
         let slack = 1e-12;
         cam.curvature().convex.value >= self.rho_min
             && rise.value <= self.pressure_rise + slack
@@ -133,12 +137,13 @@ impl SizeLimits {
     }
 }
 
-/// Factor by which the size increases per step in the search for a feasible cam, and maximum number of steps.
+/// Factor by which the size increases per step in the search for a feasible cam. The next constant is the maximum number of steps.
 const GROWTH: f64 = 1.25;
 const GROWTHS: i32 = 90;
 
-/// Minimum base radius, m, for which `cam`, with its other dimensions, fits its law and satisfies the limits; for a barrel, minimum radius of the
-/// cylinder. The relative accuracy is 1e-10. The result is 0 if every size is feasible. The base radius of `cam` is ignored.
+/// Minimum base radius, m, for which `cam` can execute its law and satisfies the limits, with its other dimensions unchanged. For a barrel,
+/// it is the minimum radius of the cylinder. The relative accuracy is 1e-10. The result is 0 if every size is feasible. The base radius of
+/// `cam` is ignored.
 ///
 /// For a translating flat face the result is a closed form. Otherwise the size is increased by 25 % per step until the cam is feasible.
 /// Bisection then refines the size.
@@ -180,8 +185,8 @@ pub fn smallest_for(cam: &Cam, limits: &SizeLimits) -> Result<f64> {
     Ok(least_between(bad, good, 1e-10, holds))
 }
 
-/// Minimum size that satisfies a limit, by bisection between the infeasible size `bad` and the feasible size `good`, to a relative
-/// accuracy.
+/// Minimum size that satisfies a limit, to a relative accuracy. It is computed by bisection between the infeasible size `bad` and the
+/// feasible size `good`.
 pub(crate) fn least_between(
     mut bad: f64,
     mut good: f64,

@@ -10,7 +10,7 @@ use crate::scene::{LimitKind, Minimise};
 
 /// Default permitted RMS force error, relative to the mean force.
 const USUAL_ACCURACY: f64 = 0.005;
-/// Relative difference of mean force and weight below which they count as equal, because masses are given with four digits.
+/// Relative difference between mean force and weight below which they count as equal, because masses are given with four digits.
 const SAME_MEAN: f64 = 1e-3;
 
 impl Problem {
@@ -19,15 +19,15 @@ impl Problem {
         self.error_at_noise().unwrap_or(self.asked_error())
     }
 
-    /// RMS force error, N, from the required accuracy or its default of 0.5 % of the mean. Spread and noise of the recording are not taken into
-    /// account.
+    /// RMS force error, N, from the required accuracy. Without a required accuracy, it is 0.5 % of the mean target force. Spread and noise
+    /// of the recording are not taken into account.
     pub fn asked_error(&self) -> f64 {
         self.accuracy.unwrap_or(USUAL_ACCURACY) * self.target_mean()
     }
 
-    /// RMS force error, N, above which a design fails. If the scene requires an accuracy, it is this accuracy. Otherwise it is the larger of two
-    /// values: the step-to-step spread, and the root sum of squares of 0.5 % of the mean and the sensor noise. `None` without a target force, or if
-    /// the scene switches this check off.
+    /// RMS force error, N, above which a design fails. If the scene requires an accuracy, the result is this accuracy times the mean force.
+    /// Otherwise it is the larger of two values. The first is the step-to-step spread. The second is the root sum of squares of the sensor
+    /// noise and 0.5 % of the mean. `None` without a target force, or if the scene switches this check off.
     pub fn largest_error(&self) -> Option<f64> {
         let force = self.force.filter(|_| !self.limits.unjudged.accuracy)?;
         let asked = self.asked_error();
@@ -35,8 +35,8 @@ impl Problem {
         Some(self.accuracy.map_or_else(automatic, |_| asked))
     }
 
-    /// Default minimum contact force of the verdict, N. It is 0 on a moving axis, and on a fixed axis with a force and without form closure. `None`
-    /// for other machines, or if the scene switches this check off.
+    /// Default minimum contact force of the verdict, N. It is 0 on a moving axis. It is also 0 on a fixed axis with a force and without
+    /// form closure. `None` for other machines, or if the scene switches this check off.
     pub fn usual_force_min(&self) -> Option<f64> {
         let form_closed = self.cam.conjugate.is_some()
             || self.cam.breadth.is_some()
@@ -49,16 +49,16 @@ impl Problem {
         (pressed && !self.limits.unjudged.contact_force).then_some(0.0)
     }
 
-    /// RMS force error, N, for which the automatic number of spans or harmonics is chosen, if the spread or the noise of the recording determines it.
-    /// `None` if the scene requires an accuracy, or if spread and noise do not increase this error.
+    /// RMS force error, N, for which the automatic number of spans or harmonics is chosen, if the spread or the noise of the recording
+    /// determines it. `None` if the scene requires an accuracy, or if spread and noise do not increase this error.
     pub fn error_at_noise(&self) -> Option<f64> {
         let asked = self.asked_error();
         let error = libm::hypot(asked.max(self.noise()), self.sensor_noise());
         (self.accuracy.is_none() && error > asked).then_some(error)
     }
 
-    /// RMS sensor noise in the samples of a single cycle, N; 0 if there are several cycles, whose spread includes the noise. The force error of a
-    /// smooth law cannot be smaller than the noise.
+    /// RMS sensor noise in the samples of a single cycle, N; 0 if there are several cycles, whose spread includes the noise. The force
+    /// error of a smooth law cannot be smaller than the noise.
     pub fn sensor_noise(&self) -> f64 {
         let single = self.force.filter(|force| force.spread_n == 0.0);
         single.map_or(0.0, |force| force.noise_n)
@@ -69,25 +69,26 @@ impl Problem {
         self.force.map_or(0.0, |force| force.mean_n.abs())
     }
 
-    /// Force error, N, below which a fit would follow the noise: one fifth of the step-to-step spread. Such an error increases the spread by 2 %.
+    /// Force error, N, below which a fit would follow the noise: one fifth of the step-to-step spread. Such an error increases the spread
+    /// by 2 %.
     fn noise(&self) -> f64 {
         0.2 * self.force.map_or(0.0, |force| force.spread_n)
     }
 
-    /// Whether the scene requires a positive contact force although the drive has neither a spring nor a force at rest. The mean force over a turn is
-    /// then zero, so the requirement is infeasible.
+    /// Whether the scene requires a positive contact force, but the drive has neither a spring nor a positive force at rest. The mean force
+    /// over a turn is then not positive, so the requirement is infeasible.
     pub(crate) fn presses_too_little(&self) -> bool {
         let asked = self.limits[LimitKind::ForceMin].is_some_and(|least| least > 0.0);
         asked && self.drive.spring_rate <= 0.0 && self.drive.rest_force <= 0.0
     }
 
-    /// RMS force error of [`Problem::largest_error`], N; `None` if a band replaces the accuracy.
+    /// Permitted RMS force error, N, as [`Problem::largest_error`]. `None` if a tolerance band replaces the accuracy.
     pub fn allowed_error(&self) -> Option<f64> {
         self.largest_error().filter(|_| self.band.is_none())
     }
 
-    /// RMS force error of [`Problem::allowed_error`], N, if it is a limit of the law. `None` if the unweighted force error is minimised, if the
-    /// permitted error is 0, or if no cam can satisfy the limit because of the mean force.
+    /// Permitted RMS force error, N, if it is a limit of the law. `None` in three cases: the unweighted force error is minimised, the
+    /// permitted error is 0, or the mean force of the drive differs from the mean target force.
     pub fn limited_error(&self) -> Option<f64> {
         let is_minimised = self.objective() == Minimise::ForceError && !self.is_weighed();
         let asked = self.allowed_error().filter(|most| *most > 0.0)?;
@@ -99,14 +100,14 @@ impl Problem {
         self.walkers.as_ref().is_some_and(|w| w.each.len() > 1)
     }
 
-    /// Permitted RMS force error, N, for a design for one walker or cycle. `None` for several walkers, because the error of each walker is limited
-    /// instead of the error of their mean.
+    /// Permitted RMS force error, N, for a design for one walker or cycle. `None` for several walkers, because the force error of each
+    /// walker is limited separately.
     pub fn judged_error(&self) -> Option<f64> {
         self.allowed_error().filter(|_| !self.serves_several())
     }
 
-    /// Mean target force minus the weight of the mass on a moving axis, N. A cam cannot change the mean over a turn (theory §1). `None` for another
-    /// drive, without a permitted error, or if the difference is within the rounding error of a mass.
+    /// Mean target force minus the weight of the mass on a moving axis, N. A cam cannot change the mean over a turn (theory §1). `None` for
+    /// another drive, without a permitted error, or if the difference is within the rounding error of the mass.
     pub fn mean_force_gap(&self) -> Option<f64> {
         let gap = self.target_mean() - self.drive.rest_force;
         let judged = self.drive.kind == DriveKind::MovingAxis && self.judged_error().is_some();

@@ -6,7 +6,8 @@ use crate::drive::Drive;
 use crate::scene::{CamSpec, LawSpec, Limits, Minimise};
 
 impl Problem {
-    /// Value of a limit, the accuracy or a given size in SI units; the accuracy is relative. `None` if the problem does not specify the criterion.
+    /// Value of a limit, of the accuracy, or of a given dimension or inertia, in SI units. The accuracy is relative to the mean force.
+    /// `None` if the problem does not specify a value for the criterion.
     pub fn value(&self, criterion: Criterion) -> Option<f64> {
         let [rise, fall] = self.limits.pressure_angles();
         match criterion {
@@ -24,7 +25,8 @@ impl Problem {
         }
     }
 
-    /// Copy of the problem with this value for a limit, the accuracy or a given size. For criteria without such a value, the copy is unchanged.
+    /// Copy of the problem with the given value for a limit, the accuracy, or a dimension or inertia. Other criteria have no value, and the
+    /// copy is then unchanged.
     #[must_use]
     pub fn with(&self, criterion: Criterion, value: f64) -> Problem {
         let mut out = self.clone();
@@ -49,7 +51,7 @@ impl Problem {
         out
     }
 
-    /// Copy of the problem with another specification of the law: family, size, objective and conditions.
+    /// Copy of the problem with another specification of the law, that is, of its family, size, objective and conditions.
     #[must_use]
     pub fn with_law(&self, law: LawSpec) -> Problem {
         let mut out = self.clone();
@@ -75,7 +77,8 @@ impl Problem {
         })
     }
 
-    /// Copy of the problem with the mean of its walkers as a single force. With several walkers, the force error of the mean is not limited.
+    /// Copy of the problem with the mean force of its walkers as the only force. With several walkers, the force error of the mean is not
+    /// limited.
     #[must_use]
     pub fn of_mean(&self) -> Problem {
         let mut out = self.clone();
@@ -100,7 +103,8 @@ impl Problem {
         out
     }
 
-    /// Copy of the problem without limits, accuracy and band. Target force and conditions on the law are unchanged.
+    /// Copy of the problem without limits, tolerance band and check of the force error. Target force and conditions on the law are
+    /// unchanged.
     #[must_use]
     pub fn without_limits(&self) -> Problem {
         let mut out = self.clone();

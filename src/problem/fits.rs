@@ -1,16 +1,16 @@
-//! Cached fits of splines to the force alone. Rows of a sweep with different limits share them.
+//! Cache of splines that are fitted to the force without limits. Rows of a sweep with different limits share these fits.
 
 use super::Problem;
 use super::force_cycle::{FitKey, Fits, Objective};
 use crate::error::Result;
 use crate::scene::Minimise;
 
-/// Number of spans above which objectives are not cached, because they need much memory and their computation is fast.
+/// Number of spans above which objectives are not cached. They need much memory, and their computation is fast.
 const MOST_SPANS: usize = 100;
 
 impl Problem {
-    /// Cache for the force of the problem, and the key of this problem in the cache. `None` unless only the force error is minimised, without
-    /// weights, conditions or segments.
+    /// Cache that belongs to the force of the problem, and the key of this problem in the cache. `None` unless the unweighted force error
+    /// is minimised without conditions and segments.
     fn fits(&self) -> Option<(FitKey, &Fits)> {
         let is_alone = self.objective() == Minimise::ForceError
             && !self.is_weighed()
@@ -26,7 +26,7 @@ impl Problem {
         Some((key, &cycle.fits))
     }
 
-    /// Objective for a number of spans. It is computed once for all problems that differ only in their limits.
+    /// Objective for a number of spans, computed by `find` or taken from the cache. Problems that differ only in their limits share it.
     ///
     /// # Errors
     ///
@@ -42,8 +42,8 @@ impl Problem {
         }
     }
 
-    /// Minimum number of spans, starting at `least`, for which a spline without limits reaches an RMS force error, N. It is computed once for all
-    /// problems that differ only in their limits.
+    /// Minimum number of spans, at least `least`, for which a spline without limits has an RMS force error of at most `accuracy`, N. It is
+    /// computed by `find` or taken from the cache. Problems that differ only in their limits share it.
     ///
     /// # Errors
     ///

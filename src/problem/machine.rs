@@ -9,7 +9,7 @@ use crate::force::ForceCurve;
 use crate::scene::{CamSpec, DriveSpec, ForceScale, Scene};
 use crate::units::Quantity;
 
-/// Scaling of a force to the target: the force is multiplied by `factor`, then `shift` is added, N.
+/// Linear transformation of a force to the target. The force is multiplied by `factor`, then `shift` is added, N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scaling {
     pub factor: f64,
@@ -33,7 +33,7 @@ impl Scaling {
         self.factor * force + self.shift
     }
 
-    /// Mean, spread and noise of the target from those of the force.
+    /// Mean, spread and noise of the target. `force` contains these values for the unscaled force.
     pub fn of_mean(self, force: MeanForce) -> MeanForce {
         MeanForce {
             mean_n: self.at(force.mean_n),
@@ -43,7 +43,7 @@ impl Scaling {
         }
     }
 
-    /// Target force for a force curve.
+    /// Target force that results from scaling a force curve.
     pub fn of(self, force: &ForceCurve) -> ForceCurve {
         let mut target = force.scaled(self.factor);
         for f in &mut target.force_n {
@@ -52,7 +52,7 @@ impl Scaling {
         target
     }
 
-    /// Scaling that applies the factor `times` first and then `self`. Its target for a force F is the target of `self` for `times` · F.
+    /// Scaling that multiplies a force by `times` and then applies `self`.
     pub fn after(self, times: f64) -> Scaling {
         Scaling {
             factor: times * self.factor,
@@ -61,11 +61,11 @@ impl Scaling {
     }
 }
 
-/// Drive of a scene with all numbers, and the scaling of a force with the given mean to the target.
+/// Drive of a scene in which all numbers are set, and the scaling to the target. `force` contains the mean of the force to be scaled.
 ///
 /// # Errors
 ///
-/// A required force is not given; the mean force is not positive on a moving axis; the drive does not relate lift and force.
+/// A required force is not given. The mean force is not positive on a moving axis. The force of the drive does not depend on the lift.
 pub fn of_force(scene: &Scene, force: Option<MeanForce>) -> Result<(Drive, Scaling)> {
     let drive = drive(&scene.drive, &scene.cam, force)?;
     let how = scene.gait.as_ref().map_or(ForceScale::None, |g| g.scale);
@@ -76,8 +76,8 @@ pub fn of_force(scene: &Scene, force: Option<MeanForce>) -> Result<(Drive, Scali
     Ok((drive, scaling))
 }
 
-/// Scaling of a force with a mean, N, to the target. For an arm, the target is the moment of the force. On a moving axis, the scene can require that
-/// the target is scaled to the mass.
+/// Scaling to the target for a force with a given mean, N. For an arm, the target is the moment of the force. On a moving axis, the scene
+/// can require that the force is scaled or shifted until its mean equals the weight of the mass.
 ///
 /// # Errors
 ///
@@ -102,7 +102,8 @@ fn scaling(drive: &Drive, how: ForceScale, mean: f64) -> Result<Scaling> {
 ///
 /// # Errors
 ///
-/// The speed, or the mass on a moving axis, is missing and there is no force. This mass is missing and the mean force is not positive.
+/// Without a force, the speed is missing, or the mass on a moving axis. With a force, this mass is missing and the mean force is not
+/// positive.
 fn drive(spec: &DriveSpec, cam: &CamSpec, force: Option<MeanForce>) -> Result<Drive> {
     let speed = match (spec.speed, force) {
         (Some(w), _) => w,

@@ -1,8 +1,8 @@
 //! The problem of a design: a scene in which all numbers are resolved for its force. Solvers, checks and searches use these numbers and the
 //! properties that follow from them.
 //!
-//! A problem is complete and immutable. After [`Problem::resolve`] the [`Scene`] is not used again. A change of a limit, size or phase creates a new
-//! problem: [`Problem::with`], [`Problem::at_phase`].
+//! A problem is complete and immutable. After [`Problem::resolve`], the [`Scene`] is not used again. [`Problem::with`] and
+//! [`Problem::at_phase`] create a new problem for another limit, size or phase.
 
 mod accuracy;
 mod changed;
@@ -57,7 +57,7 @@ const DAMPED_DEGREE: usize = 7;
 /// ```
 /// use gaitcam::{Problem, scene};
 ///
-/// // The mass is such that it weighs as much as the walker: M = 700 N/g.
+/// // The weight of the mass equals the weight of the walker, so M = 700 N/g.
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
 /// assert!((problem.drive.mass - 700.0 / 9.81).abs() < 1e-9);
@@ -68,7 +68,7 @@ const DAMPED_DEGREE: usize = 7;
 pub struct Problem {
     /// Name of the scene.
     pub name: String,
-    /// Relation of lift and force in the machine.
+    /// Drive of the machine, which relates lift and force.
     pub drive: Drive,
     /// Family, size and conditions of the law.
     pub law: LawSpec,
@@ -84,23 +84,23 @@ pub struct Problem {
     pub target: Option<Target>,
     /// Minimum and maximum of the permitted force, N, over the turn; `None` without a band.
     pub band: Option<[ForceCurve; 2]>,
-    /// Phase of the force cycle at cam angle 0, rad.
+    /// Phase of the force cycle at the cam angle 0, rad.
     pub phase: f64,
-    /// Whether the phase is determined by the design.
+    /// Whether the design selects the phase.
     pub phase_is_free: bool,
     /// Cached result of [`Problem::length`].
     length: OnceLock<f64>,
-    /// Properties of the machine in addition to its drive.
+    /// Machine parameters that are not part of the drive, such as compliance, floor and shaft inertia.
     pub machine: MachineSpec,
-    /// Open questions about the recording that the scene does not accept, with the notes that cause them.
+    /// Open questions about the recording that the scene does not accept. Each question has the notes that cause it.
     pub open_questions: Vec<(OpenQuestion, Vec<force::Note>)>,
-    /// Weight of the walker to whom the target belongs, N, scaled as the target; `None` without a force.
+    /// Weight of the walker to whom the target belongs, N, multiplied by the scaling factor of the target. `None` without a force.
     pub weight_n: Option<f64>,
-    /// Number of steps of the walker per turn, if the source of the force states it.
+    /// Number of steps of the walker per turn of the cam; `None` if the source of the force does not contain it.
     pub steps_per_turn: Option<usize>,
     /// Walkers whose mean is the target; `None` for a single cycle.
     pub walkers: Option<Arc<Walkers>>,
-    /// Changes of the problem by a varying shaft speed or a moving floor; `None` at constant speed and on a rigid floor.
+    /// Changes of the problem due to a varying shaft speed or a moving floor; `None` at constant speed and on a rigid floor.
     pub on_shaft: Option<Arc<OnShaft>>,
     weights: Vec<PhaseWeight>,
     /// Target and band at phase 0.
@@ -111,7 +111,9 @@ pub struct Problem {
     remarks: Vec<Note>,
 }
 
-/// Weight of the walker, N. For a file that contains one cycle and is not a recording of feet, it is the mean force.
+/// Weight of the walker, N. For a load model, it is the given body weight. For a file, it is the weight of the mass that belongs to the
+/// force. If this mass is unknown or the scene gives a period, it is the mean force. If only one foot is recorded, the mean force is
+/// divided by the share of this foot.
 fn weight(gait: &Gait, force: Option<&ForceCurve>, mean: f64) -> f64 {
     match (&gait.source, gait.period) {
         (Source::Model(_) | Source::Harmonics(_), _) => gait.model_weight(),
@@ -128,8 +130,8 @@ fn weight(gait: &Gait, force: Option<&ForceCurve>, mean: f64) -> f64 {
     }
 }
 
-/// Limits of a scene. If the drive has a force and the scene has no limit on the contact pressure, the allowable pressure from hardness or material
-/// is the limit.
+/// Limits of a scene. If the scene does not limit the contact pressure and does not switch this check off, the allowable pressure from
+/// hardness or material is the limit. This requires a drive with a force.
 fn limits(scene: &Scene, drive: &Drive) -> Limits {
     let mut limits = scene.limits.clone();
     if !limits.unjudged.contact_pressure && !drive.is_idle() {
@@ -139,8 +141,8 @@ fn limits(scene: &Scene, drive: &Drive) -> Limits {
     limits
 }
 
-/// Number of steps in a cycle of force. It is two for the strides of a recording or of a single-foot load model. `None` for a file that contains one
-/// cycle and does not contain the number of steps.
+/// Number of steps in a cycle of force. It is two for the strides of a recording or of one foot in a load model, and one for other models.
+/// For a file with one cycle, it is the number in the file; `None` if the file does not contain it.
 fn steps_per_turn(gait: &Gait, force: Option<&ForceCurve>) -> Option<usize> {
     match &gait.source {
         Source::Model(name) => {
@@ -162,8 +164,8 @@ impl Problem {
     ///
     /// # Errors
     ///
-    /// The scene requires a force, but none is given; the mean force is not positive on a moving axis; the drive does not relate lift and force; the
-    /// band requires a spread that the force does not have.
+    /// The scene requires a force, but none is given. The mean force is not positive on a moving axis. The force of the drive does not
+    /// depend on the lift. The band requires a spread, but the force has no spread.
     pub fn resolve(scene: &Scene, force: Option<&ForceCurve>) -> Result<Problem> {
         let cycle = force.map(|force| Arc::new(ForceCycle::new(force.clone())));
         let problem = Problem::of_multiple(scene, cycle.as_ref().map(|cycle| (cycle, 1.0)))?;
@@ -173,8 +175,9 @@ impl Problem {
         })
     }
 
-    /// Resolves the problem for a multiple of a force that other problems share. The result is that of [`Problem::resolve`] without the notes on
-    /// scene and recording. In a sweep of closed-form designs, the notes would take a third of the time of a row, and they are not part of the table.
+    /// Resolves the problem for a multiple of a force that several problems share. The result is that of [`Problem::resolve`] without the
+    /// notes on scene and recording. In a sweep of closed-form designs, these notes would need a third of the computing time of a row, and
+    /// the table does not contain them.
     pub(crate) fn of_multiple(
         scene: &Scene,
         force: Option<(&Arc<ForceCycle>, f64)>,
@@ -250,7 +253,7 @@ impl Problem {
         })
     }
 
-    /// Copy of the problem in which the turn of the cam starts at another phase of the force cycle, rad.
+    /// Copy of the problem in which the turn of the cam starts at the phase `phase` of the force cycle, rad.
     #[must_use]
     pub fn at_phase(&self, phase: f64) -> Problem {
         let at = |unturned: &Arc<Unturned>| unturned.at_phase(phase);
@@ -263,14 +266,15 @@ impl Problem {
         out
     }
 
-    /// Typical lift, m, used as unit of length in the solvers. Closed-form laws do not need it. It is computed only if needed, because it requires
-    /// the samples of the force.
+    /// Typical lift, m. The solvers use it as unit of length; closed-form laws do not need it. It is computed only when it is needed,
+    /// because the computation requires the samples of the force.
     pub fn length(&self) -> f64 {
         let typical = || typical_lift(&self.drive, self.target.as_ref(), &self.law);
         *self.length.get_or_init(typical)
     }
 
-    /// Whether the problem has a single force and a simple machine: constant shaft speed, rigid floor, no learned force, and no polydyne cam.
+    /// Whether the problem has a single force and a simple machine: constant shaft speed, rigid floor, no learned force, and no polydyne
+    /// cam.
     pub fn is_plain(&self) -> bool {
         let is_one = self.walkers.is_none() && self.on_shaft.is_none();
         is_one && self.machine.is_plain() && !self.law.polydyne
@@ -286,7 +290,7 @@ impl Problem {
         self.law.minimise.unwrap_or(default)
     }
 
-    /// Whether a spring, a condition or a programme determines the mean level of the lift.
+    /// Whether the mean lift is determined by a spring, a condition on the lift, or a programme.
     pub fn level_is_known(&self) -> bool {
         self.drive.spring_rate != 0.0
             || self.law.points.iter().any(|p| p.lift.is_some())
@@ -308,7 +312,8 @@ impl Problem {
         self.machine.train(&self.drive)
     }
 
-    /// Dwells of the law as first and last cam angle, rad, in ascending order: prescribed dwells, and those of a programme.
+    /// Dwells of the law as first and last cam angle, rad, in ascending order. They include prescribed dwells and the dwells of a
+    /// programme.
     pub fn rests(&self) -> Vec<(f64, f64)> {
         let mut all: Vec<(f64, f64)> = self.law.dwells.iter().map(|d| (d.from, d.to)).collect();
         let mut at = 0.0;
@@ -322,15 +327,16 @@ impl Problem {
         all
     }
 
-    /// Lift, m, at which the machine has a given force, N. `None` unless the force depends only on the lift, as for a hydraulic drive or a spring
-    /// without mass and damping.
+    /// Lift, m, at which the machine has a given force, N. `None` unless the force depends only on the lift. This is the case for a
+    /// hydraulic drive and for a spring without mass and damping.
     pub fn lift_of_force(&self, force: f64) -> Option<f64> {
         let w = self.drive.weights();
         (w[0] != 0.0 && w[1] == 0.0 && w[2] == 0.0).then(|| (force - self.drive.rest_force) / w[0])
     }
 }
 
-/// Law of a scene whose conditions on the force are multiplied by the lever, m; for an arm they become moments, N·m.
+/// Copy of the law of a scene. Conditions on the force are multiplied by the lever, m. For an arm, they are then conditions on the moment,
+/// N·m.
 fn law_at_lever(law: &LawSpec, lever: f64) -> LawSpec {
     let mut law = law.clone();
     for force in law.points.iter_mut().filter_map(|p| p.force.as_mut()) {
@@ -339,8 +345,8 @@ fn law_at_lever(law: &LawSpec, lever: f64) -> LawSpec {
     law
 }
 
-/// Open questions about a recording that the scene does not accept, with the notes that cause them. `has_speed` is true if the scene prescribes the
-/// speed of a drive other than a moving axis; the stride time is then not required.
+/// Open questions about a recording that the scene does not accept, with the notes that cause them. `has_speed` is true if the scene
+/// prescribes the speed of a drive other than a moving axis. The stride time is then not required.
 fn open_questions(
     gait: Option<&Gait>,
     force: Option<&ForceCurve>,
@@ -355,7 +361,7 @@ fn open_questions(
     let is_assumed = |note: &force::Note| matches!(note, force::Note::StrideAssumed { .. });
     let open = force::Note::doubts(notes).into_iter().map(opened);
     open.filter(|(question, notes)| {
-        // If the machine has its own speed, the stride time is not required.
+        // If the scene prescribes the speed, the stride time is not required.
         let is_settled =
             has_speed && *question == OpenQuestion::Clock && notes.iter().all(is_assumed);
         !is_settled && !gait.accept.contains(question)

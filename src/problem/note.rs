@@ -16,7 +16,7 @@ use crate::wording::{self, Language};
 /// use gaitcam::problem::Note;
 /// use gaitcam::scene;
 ///
-/// // With v closed over a turn the stroke is at most 16 h/T² ≤ max |a| (theory §1).
+/// // For a closed law, the stroke h satisfies 16 h/T² ≤ max |a|, with the duration T of a turn (theory §1).
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
 /// let stroke = problem.notes().into_iter().find_map(|note| match note {
@@ -37,7 +37,7 @@ pub enum Note {
     Scene { note: SceneError },
     /// A note on the recording of the force.
     Recording { note: force::Note },
-    /// One turn has another duration than the force cycle, so the cycle is stretched.
+    /// One turn and the force cycle have different durations, so the cycle is stretched to the turn.
     Stretched { turn: Quantity, cycle: Quantity },
     /// The mean of the target force differs from the weight of the moved mass.
     MeanForce {
@@ -58,13 +58,13 @@ pub enum Note {
         /// Whether the limit on the stroke is above this maximum, so that it has no effect.
         idle: bool,
     },
-    /// The scene switches off a default bound of the verdict.
+    /// The scene switches off the check of a default bound.
     NotJudged { key: &'static str },
-    /// The scene gives weights of the walkers on the floor. The first weight is that of the shaker.
+    /// The scene gives weights of the walkers on the floor. The first weight belongs to the shaker.
     FirstWalker { weight: String, key: &'static str },
     /// The design selected the phase with the minimum force error.
     Phase { phase: Quantity },
-    /// The number of spans or harmonics is limited because a larger one would fit the noise of the recording.
+    /// The number of spans or harmonics is limited, because a larger number would fit the noise of the recording.
     Noise { size: &'static str, error: Quantity },
     /// The automatic accuracy includes the sensor noise of the recording.
     SensorNoise {
@@ -76,21 +76,21 @@ pub enum Note {
     ManySpans { spans: usize, error: Quantity },
     /// The band or another limit requires a large number of spans.
     ManySpansInBand { spans: usize },
-    /// The rounding of the table of a segment can cause a large part of the acceleration of the segment.
+    /// The tabulated lifts of a segment are rounded. This rounding can cause a large part of the acceleration of the segment.
     RoundedTable { segment: usize, share: Quantity },
     /// The search ended at its time limit or was stopped by the caller.
     OutOfTime,
     /// The minimum base circle has radius zero.
     NoBaseCircle,
-    /// The wall between the bore and the base circle is thinner than that of a typical hub.
+    /// The wall between the bore and the base circle is thinner than the wall of a typical hub.
     ThinWall { wall: Quantity, usual: Quantity },
     /// The roller is larger than its cam.
     LargeRoller { roller: Quantity, cam: Quantity },
-    /// The base circle is too small for a shaft that carries the torque.
+    /// The base circle is too small for a shaft that withstands the torque.
     ThinShaft {
         /// Diameter of the base circle of the cam.
         circle: Quantity,
-        /// Minimum diameter of a shaft that carries the torque.
+        /// Minimum diameter of a shaft for the torque.
         shaft: Quantity,
         torque: Quantity,
     },
@@ -100,7 +100,7 @@ pub enum Note {
         shaft: Quantity,
         torque: Quantity,
     },
-    /// The cam does not reach the accuracy because the speed of the motor varies. A larger inertia of the shaft is sufficient.
+    /// The cam does not reach the accuracy, because the speed of the motor varies. A larger inertia of the shaft would be sufficient.
     InertiaForAccuracy {
         error: Quantity,
         allowed: Quantity,
@@ -113,7 +113,8 @@ pub enum Note {
         speed: Quantity,
         stiffness: Quantity,
     },
-    /// RMS force error with the compliant follower, for this cam and for a cam without the polydyne correction.
+    /// RMS force error in the simulation with the compliant follower. `own` belongs to this cam, `plain` to a cam without polydyne
+    /// correction.
     PolydyneMiss { own: Quantity, plain: Quantity },
 }
 

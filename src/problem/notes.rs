@@ -8,17 +8,18 @@ use crate::drive::DriveKind;
 use crate::scene::LimitKind;
 use crate::units::{Dimension, Quantity};
 
-/// Relative difference between the mean force and the weight M·g below which they count as equal.
+/// Relative difference between the mean force and the weight M·g of the moved mass M below which they count as equal.
 const CLOSURE: f64 = 1e-6;
 /// Ratio of the force to its mean below which the mass on a moving axis counts as in free fall.
 const FREE_FALL: f64 = 0.02;
-/// Ratio of the acceleration caused by rounded rows to the maximum acceleration below which there is no note.
+/// Ratio of two accelerations below which there is no note on a rounded table. It is the acceleration due to the rounding, divided by the
+/// maximum acceleration.
 const OF_ROUNDING: f64 = 0.1;
 /// Relative difference between the durations of a turn and of the force cycle below which they count as equal.
 const SAME_PERIOD: f64 = 1e-3;
 
 impl Problem {
-    /// Notes on the scene, the speed, the force balance of a moving axis and the optimal phase.
+    /// Notes on the scene, disabled checks, cycle duration, rounded tables, force balance of a moving axis and optimal phase.
     pub fn notes(&self) -> Vec<Note> {
         let mut out = self.remarks.clone();
         let has_default =
@@ -72,7 +73,8 @@ impl Problem {
 
     /// Notes on the force balance of a moving axis (theory §1): mean force and weight M·g, free fall, maximum stroke.
     fn closure(&self) -> Vec<Note> {
-        // With a varying shaft speed, the target is the remainder for the mean speed, so it is not used here.
+        // With a varying shaft speed, the force that the speed variation adds has been subtracted from the target. Such a target is not
+        // used here.
         let Some(target) = self.target.as_ref().filter(|_| self.on_shaft.is_none()) else {
             return Vec::new();
         };

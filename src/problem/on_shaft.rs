@@ -1,9 +1,11 @@
-//! Problem for a shaft with varying speed: the target as a function of the cam angle, and the force that the variation of the speed adds.
+//! Problem for a shaft with varying speed. The target is a function of the cam angle, and the speed variation adds a force.
 //!
-//! At the shaft speed ω(θ), the force is F = F₀ + k s + c ω v + m (ω² a + ω ω′ v), with the spring rate k, the damping c, the mass m, a constant
-//! F₀, and ω′ = dω/dθ. It equals the force at the mean speed Ω plus Δ = c (ω − Ω) v + m ((ω² − Ω²) a + ω ω′ v). Δ is computed from the previous
-//! iterate, so the force remains linear in the law: Δ is subtracted from target, band and limits of the force. Families, certificates and checks
-//! are the same as for constant speed (theory §10).
+//! Symbols: F force, s, v and a lift and its first and second derivative with respect to the cam angle θ, k spring rate, c damping, m mass,
+//! F₀ a constant force, ω(θ) shaft speed, ω′ = dω/dθ, Ω mean speed.
+//!
+//! The force is F = F₀ + k s + c ω v + m (ω² a + ω ω′ v). It equals the force at the mean speed Ω plus Δ = c (ω − Ω) v + m ((ω² − Ω²) a + ω
+//! ω′ v). Δ is computed from the previous iterate, so the force remains linear in the law. Δ is subtracted from target, tolerance band and
+//! limits of the force. Families, certificates and checks are the same as for constant speed (theory §10).
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -23,30 +25,32 @@ const EVEN: f64 = 1e-9;
 pub struct Extra {
     /// Added force Δ, N.
     pub force: PiecewisePoly,
-    /// Terms added to the time derivatives of the lift: velocity, acceleration and jerk, m/s, m/s², m/s³ (rad instead of m for an arm). `None` if
-    /// zero or not required.
+    /// Terms that are added to the first, second and third time derivative of the lift, m/s, m/s² and m/s³ (rad instead of m for an arm).
+    /// `None` if a term is zero or not required.
     pub timed: [Option<PiecewisePoly>; 3],
-    /// Speed of the shaft, rad/s; `None` if constant.
+    /// Speed of the shaft as a function of the cam angle, rad/s; `None` if it is constant.
     pub speed: Option<PiecewisePoly>,
-    /// Change of the objective by the response of the floor to the law; `None` if the floor is rigid or its motion is prescribed.
+    /// Effect of the floor response on the objective; `None` if the floor is rigid or its motion is prescribed.
     pub through_floor: Option<ThroughFloor>,
 }
 
-/// Change of the objective for a program in which the floor motion is that of the previous law. J is the objective of a law on a floor that responds
-/// to the law.
+/// Correction of the objective for a floor that responds to the law. The program uses the floor motion for the previous law. J is the
+/// objective of a law on a floor that responds to this law.
 ///
-/// P is the force of the law on a rigid floor. The force in the program is P + Δ with fixed Δ, but the true force is T P + const. T multiplies
-/// harmonic n by the response Gₙ of the floor, which tends to G∞. The gradients agree if the program minimises G∞ J + mean(h P) + constant. Here h
-/// = `(T − G∞)* π`, where `*` denotes the adjoint operator, and π is the derivative of the Lagrangian with respect to the force (theory §10).
+/// P is the force of the law on a rigid floor, and Δ the added force. In the program, the force is P + Δ with fixed Δ, but the true force
+/// is T P + const. The operator T multiplies harmonic n by the response Gₙ of the floor, which tends to G∞ for large n. The gradients of
+/// program and J agree if the program minimises G∞ J + mean(h P) + constant. Here h = `(T − G∞)* π`, where `*` denotes the adjoint
+/// operator. π is the derivative of the Lagrangian with respect to the force (theory §10).
 #[derive(Debug, Clone)]
 pub struct ThroughFloor {
     /// Objective of the program to which these terms belong.
     pub minimised: Minimise,
-    /// G∞: response of the force at high harmonics, as a fraction of its change on a rigid floor.
+    /// Response G∞ of the force at high harmonics, as a fraction of the change of the force on a rigid floor.
     pub at_once: f64,
-    /// Harmonics of h, from the first on, as (cosine, sine), in units of the objective per N.
+    /// Harmonics 1, 2, … of h as (cosine, sine), in units of the objective per N.
     pub slope: Vec<(f64, f64)>,
-    /// Constant that makes the objective of the program at the previous law equal to the objective of this law on the moving floor.
+    /// Constant of the objective. With it, the objective of the program at the previous law equals the objective of this law on the moving
+    /// floor.
     pub constant: f64,
 }
 
@@ -89,7 +93,8 @@ pub struct OnShaft {
 }
 
 impl Problem {
-    /// Problem for a shaft with varying speed. `phases` are the phases within the period, rad, at equally spaced cam angles.
+    /// Copy of the problem for a shaft with varying speed. `phases` are the phases within the period, rad, at equally spaced cam angles.
+    /// `extra` contains the terms that speed and floor add.
     #[must_use]
     pub fn on_shaft(&self, phases: &[f64], extra: Extra) -> Problem {
         let step = TAU / phases.len() as f64;
@@ -145,19 +150,20 @@ impl Problem {
         out
     }
 
-    /// Change of the objective by the response of the floor; `None` if the floor is rigid or its motion is prescribed.
+    /// Correction of the objective for the response of the floor. `None` if the floor is rigid, its motion is prescribed, or the correction
+    /// belongs to another objective.
     pub fn through_floor(&self) -> Option<&ThroughFloor> {
         let through = self.on_shaft.as_ref()?.extra.through_floor.as_ref()?;
         (through.minimised == self.objective()).then_some(through)
     }
 
-    /// Force that varying speed and floor add at a cam angle, rad; result in N.
+    /// Force that the varying speed and the moving floor add at a cam angle, rad; result in N.
     pub fn extra_force(&self, theta: f64) -> f64 {
         let shaft = self.on_shaft.as_ref();
         shaft.map_or(0.0, |shaft| shaft.extra.force.eval(theta.rem_euclid(TAU)))
     }
 
-    /// Learned force of the machine at a cam angle, rad; result in N (N·m for an arm).
+    /// Learned force of the machine at a cam angle, rad. The result is in N, or in N·m for an arm.
     pub fn learned_force(&self, theta: f64) -> f64 {
         self.drive.lever * self.machine.learned_at(theta)
     }
@@ -222,20 +228,21 @@ impl Problem {
     }
 }
 
-/// Product of two piecewise polynomials, whose breaks can differ.
+/// Product of two piecewise polynomials. The breaks of the polynomials can differ.
 pub fn product(own: &PiecewisePoly, other: &PiecewisePoly) -> PiecewisePoly {
     let other = other.cut_at(own.breaks());
     own.cut_at(other.breaks()).times(&other)
 }
 
-/// Sum of two piecewise polynomials, whose breaks can differ.
+/// Sum of two piecewise polynomials. The breaks of the polynomials can differ.
 pub fn sum(own: &PiecewisePoly, extra: &PiecewisePoly) -> PiecewisePoly {
     let extra = extra.cut_at(own.breaks());
     let own = own.cut_at(extra.breaks());
     PiecewisePoly::combine(&[(1.0, &own), (1.0, &extra)], 0.0)
 }
 
-/// Cam angle, rad, at a phase within the period, rad, by linear interpolation. Both are zero at the start of the period.
+/// Cam angle, rad, at a phase within the period, rad, by linear interpolation. `phases` contains the phases at equally spaced cam angles.
+/// Angle and phase are zero at the start of the period.
 fn angle_at(phases: &[f64], phase: f64) -> f64 {
     let (turns, part) = ((phase / TAU).floor(), phase.rem_euclid(TAU));
     let (n, first) = (phases.len(), phases[0]);

@@ -7,7 +7,7 @@ use crate::cam::Bore;
 use crate::law::Law;
 use crate::scene::{CamSpec, LimitKind, Limits, Minimise};
 
-/// Fraction of the range of prime radii that is excluded at either end, for followers on arms.
+/// Fraction of the range of prime radii that is excluded at each end of the range, for oscillating followers.
 const STRETCHED: f64 = 1e-4;
 
 impl Problem {
@@ -20,7 +20,7 @@ impl Problem {
         }
     }
 
-    /// Radius of the prime circle, m, if given.
+    /// Radius of the prime circle, m; `None` if the size is not given.
     pub fn prime_radius(&self) -> Option<f64> {
         match self.size() {
             Size::Given { prime, .. } => Some(prime),
@@ -28,7 +28,7 @@ impl Problem {
         }
     }
 
-    /// Radius of the base circle, m, if given.
+    /// Radius of the base circle, m; `None` if the size is not given.
     pub fn base_radius(&self) -> Option<f64> {
         match self.size() {
             Size::Given { base, .. } => Some(base),
@@ -36,7 +36,7 @@ impl Problem {
         }
     }
 
-    /// Whether the objective or a limit depends on the size, so that the size is a variable of the program.
+    /// Whether the size is a variable of the program, because the objective or a limit depends on it.
     fn size_is_wanted(&self) -> bool {
         let priced = match self.objective() {
             Minimise::Size => true,
@@ -44,7 +44,7 @@ impl Problem {
                 .iter()
                 .any(|kind| self.limits[*kind].is_some()),
         };
-        // If the dimensions permit no size, the sizing after the law reports them.
+        // If the given dimensions permit no size, the size is not a variable. The search for the size after the law then reports the error.
         let limit = self.limits[LimitKind::PrimeRadius].unwrap_or(f64::INFINITY);
         let has_room = |[least, most]: [f64; 2]| least < most.min(limit);
         priced
@@ -52,8 +52,8 @@ impl Problem {
             && self.reach_of_arm().is_none_or(has_room)
     }
 
-    /// Minimum and maximum radius of the prime circle for an oscillating follower, m. In this range the pivot is outside the prime circle, and the
-    /// follower reaches the circle. `None` for other followers.
+    /// Minimum and maximum radius of the prime circle for an oscillating follower, m. In this range, the pivot is outside the prime circle
+    /// and the follower reaches this circle. `None` for other followers.
     pub fn reach_of_arm(&self) -> Option<[f64; 2]> {
         let swings = self.cam.follower.is_oscillating();
         let pivot = self.cam.pivot_distance.filter(|_| swings)?;
@@ -65,7 +65,8 @@ impl Problem {
         };
         let least = least.max(self.outside_bore() + self.cam.roller_radius);
         let most = most.min(pivot);
-        // At the ends of the range the arm is stretched out: its angle has no derivative with respect to the radius there.
+        // If the arm points at the cam centre, its angle has no derivative with respect to the radius. This can occur at the ends of the
+        // range.
         let room = STRETCHED * (most - least);
         Some([least + room, most - room])
     }
@@ -76,32 +77,34 @@ impl Problem {
         self.cam.offset.or(usual)
     }
 
-    /// Length by which the law is multiplied to give m: the pivot distance, m, if the law is an angle, otherwise 1.
+    /// Length by which the law is multiplied to give a length in m. It is the pivot distance, m, for an oscillating follower and 1
+    /// otherwise.
     pub fn lever(&self) -> f64 {
         let swings = self.cam.follower.is_oscillating();
         let pivot = self.cam.pivot_distance.filter(|_| swings);
         pivot.map_or(1.0, f64::abs)
     }
 
-    /// Minimum base radius outside the bore, m; 0 without a bore.
+    /// Minimum base radius with a sufficient wall around the bore, m; 0 without a bore.
     pub fn outside_bore(&self) -> f64 {
         self.cam.hole().map_or(0.0, |hole| hole.least_base_radius())
     }
 
-    /// Minimum automatic base radius, m, before the law is known.
+    /// Lower bound of a base radius that the design determines, m, before the law is computed.
     pub fn hub_radius(&self) -> f64 {
         hub_radius(&self.cam, &self.limits, None)
     }
 
-    /// Minimum automatic base radius for a law, m. It leaves the wall of a hub around the bore.
+    /// Lower bound of a base radius that the design determines for a law, m. It leaves the wall of a hub around the bore.
     pub fn hub_radius_for(&self, law: &Law) -> f64 {
         let translates = self.cam.follower.is_translating();
         let highest = translates.then(|| law.extremes(0).1.value);
         hub_radius(&self.cam, &self.limits, highest)
     }
 
-    /// Maximum pressure angles on rise and fall for the size of the cam, rad. They are the limits of the scene, otherwise the default of 30°. For a
-    /// flat face, and for a side whose limit is switched off, the value is 90°.
+    /// Maximum pressure angles during rise and fall that determine the size of the cam, rad. They are the limits of the scene. For a flat
+    /// face, a missing limit is 90°. It is also 90° if the scene limits only the other direction and switches off the default limit.
+    /// Otherwise it is 30°.
     pub fn sizing_pressure_angles(&self) -> [f64; 2] {
         let sides = self.limits.pressure_angles();
         let one_alone = sides[0].is_some() != sides[1].is_some();
@@ -115,7 +118,7 @@ impl Problem {
     }
 }
 
-/// Default maximum pressure angle for the size of a cam, rad: 30°, the usual rule.
+/// Default maximum pressure angle that determines the size of a cam, rad. 30° is a common rule.
 pub const USUAL_PRESSURE_ANGLE: f64 = PI / 6.0;
 
 /// Method that determines the size of the cam. For a flat face, base and prime circle coincide.
@@ -130,12 +133,13 @@ pub enum Size {
     },
     /// Size and law are variables of the same program. The size is minimised or limited.
     Sought,
-    /// The size is the minimum one for the law, determined after the law.
+    /// The law is determined first. The size is then the minimum size for this law.
     AfterLaw,
 }
 
-/// Minimum automatic base radius, m. It leaves the wall of a hub around the bore, if the limits on prime radius and diameter permit this wall.
-/// `highest` is the maximum lift, m, if known. If it is not known and the diameter is limited, the base circle contains only the bore without a wall.
+/// Lower bound of a base radius that the design determines, m. It leaves the wall of a hub around the bore, if the limits on prime radius
+/// and diameter permit this wall. `highest` is the maximum lift, m. If it is `None` and the diameter is limited, the bound leaves only the
+/// minimum wall around the bore.
 pub(crate) fn hub_radius(cam: &CamSpec, limits: &Limits, highest: Option<f64>) -> f64 {
     let of_prime = limits[LimitKind::PrimeRadius].map_or(f64::INFINITY, |r| r - cam.roller_radius);
     let of_diameter = match (limits[LimitKind::Diameter], highest) {

@@ -12,7 +12,7 @@ use crate::law::{Law, weighted};
 use crate::poly::{Cells, Distance, PiecewisePoly};
 use crate::scene::{Band, LawSpec, PhaseWeight};
 
-/// Target force over one turn, with cubics between its samples.
+/// Target force over one turn. The force between its samples is given by cubic polynomials.
 ///
 /// ```
 /// use gaitcam::force::ForceCurve;
@@ -26,7 +26,7 @@ use crate::scene::{Band, LawSpec, PhaseWeight};
 /// ```
 #[derive(Debug, Clone)]
 pub struct Target {
-    /// Cycle of force to which the scaling is applied; it starts at cam angle 0.
+    /// Cycle of force to which the scaling is applied. The cycle starts at cam angle 0.
     cycle: Arc<ForceCycle>,
     scaling: Scaling,
     /// Samples and cubics of the target, computed only if the scaling changes the force.
@@ -54,7 +54,7 @@ impl Target {
         }
     }
 
-    /// Factor and force cycle whose product is the target; `None` if a constant is added to the product.
+    /// Factor and force cycle whose product is the target. `None` if the scaling also adds a constant.
     pub(crate) fn multiple(&self) -> Option<(f64, &ForceCycle)> {
         let Scaling { factor, shift } = self.scaling;
         (shift == 0.0).then_some((factor, &*self.cycle))
@@ -73,7 +73,7 @@ impl Target {
         &self.scaled().0
     }
 
-    /// Target force as cubics between its samples, N.
+    /// Target force, N, as cubic polynomials between its samples.
     pub fn cells(&self) -> &Cells {
         if self.scaling.is_none() {
             return self.cycle.cells();
@@ -121,15 +121,15 @@ impl Target {
         factor * factor * self.cycle.mean_square_from((force - shift) / factor)
     }
 
-    /// Least-squares approximation of the target by polynomials of one degree between the breaks. The result contains its values, N, at the nodes of
-    /// [`Cells::nearest`].
+    /// Least-squares approximation of the target by polynomials of the degree `degree` between the breaks. The result contains the values
+    /// of the polynomials, N, at the nodes of [`Cells::nearest`].
     pub fn nearest(&self, breaks: &[f64], degree: usize) -> Vec<f64> {
         let projection = self.cycle.projection(breaks, degree);
         let values = projection.values.iter();
         values.map(|force| self.scaling.at(*force)).collect()
     }
 
-    /// Difference between the target and a force over the turn: integral of its square, N² rad, and its maximum, N.
+    /// Difference between the target and a force over the turn. The result contains the integral of its square, N² rad, and its maximum, N.
     fn distance(&self, own: &PiecewisePoly) -> Distance {
         let Scaling { factor, shift } = self.scaling;
         let square = match self.scaling.is_none() {
@@ -145,7 +145,7 @@ impl Target {
         }
     }
 
-    /// RMS and maximum difference over the turn, N, between the target and the force of a law with a drive.
+    /// RMS and maximum force error of a law with a drive over the turn, N. The force error is the difference between force and target.
     pub fn error_of(&self, law: &Law, drive: &Drive) -> [f64; 2] {
         let series = || Some(self.cycle.series()).filter(|series| series.is_finite());
         if let Some(own) = law.harmonics()
@@ -163,7 +163,7 @@ impl Target {
         [(apart.square / length).max(0.0).sqrt(), apart.largest]
     }
 
-    /// Maximum order of the harmonics that the samples determine.
+    /// Order of the highest harmonic that the samples determine.
     pub(crate) fn most_harmonics(&self) -> usize {
         most(self.samples())
     }
@@ -173,23 +173,23 @@ impl Target {
         let factor = self.scaling.factor;
         let waves = self.cycle.series().first(count).iter();
         let waves = waves.map(move |(a, b)| (factor * a, factor * b));
-        // The further harmonics of a finite series are zero.
+        // A finite series has no further harmonics, so they are zero.
         waves.chain(std::iter::repeat((0.0, 0.0))).take(count)
     }
 
-    /// RMS of the target without its mean and its first `count` harmonics, N.
+    /// RMS of the target after its mean and its first `count` harmonics are removed, N.
     pub(crate) fn left_over(&self, count: usize) -> f64 {
         self.scaling.factor.abs() * self.cycle.series().left_over(count)
     }
 
-    /// Minimum number of harmonics for which the RMS of all higher harmonics is at most `wanted`, N.
+    /// Minimum number of harmonics for which the RMS of all higher harmonics is at most `wanted`, N. The result is between 1 and 60.
     pub(crate) fn fewest_harmonics(&self, wanted: f64) -> usize {
         let series = self.cycle.series();
         series.fewest(wanted / self.scaling.factor.abs())
     }
 }
 
-/// Target and band for a turn that starts at phase 0 of the cycle.
+/// Target and tolerance band for a turn that starts at phase 0 of the force cycle.
 #[derive(Debug)]
 pub struct Unturned {
     target: Target,
@@ -198,11 +198,11 @@ pub struct Unturned {
 }
 
 impl Unturned {
-    /// Creates a target with a band about it.
+    /// Creates a target with a tolerance band about it.
     ///
     /// # Errors
     ///
-    /// The half width of the band is the spread of the force, but the force has no spread.
+    /// The half width of the band is the step-to-step spread, but the force has no spread.
     pub fn new(target: Target, band: Option<Band>) -> Result<Unturned> {
         let band = band.map(|band| band_about(target.curve(), band));
         Ok(Unturned {
@@ -211,7 +211,7 @@ impl Unturned {
         })
     }
 
-    /// Target and band for a turn that starts at a phase of the cycle, rad.
+    /// Target and tolerance band for a turn that starts at the given phase of the force cycle, rad.
     pub fn at_phase(&self, phase: f64) -> (Option<Target>, Option<[ForceCurve; 2]>) {
         if phase == 0.0 {
             return (Some(self.target.clone()), self.band.clone());
@@ -222,7 +222,7 @@ impl Unturned {
     }
 }
 
-/// Lower and upper edge of a band about a force, N, with the same samples as the force.
+/// Lower and upper edge of a tolerance band about a force, N. Each edge has as many samples as the force.
 fn band_about(target: &ForceCurve, band: Band) -> Result<[ForceCurve; 2]> {
     let half: Vec<f64> = match (band, &target.spread_n) {
         (Band::Width(width), _) => vec![width; target.force_n.len()],
@@ -238,7 +238,8 @@ fn band_about(target: &ForceCurve, band: Band) -> Result<[ForceCurve; 2]> {
     Ok([edge(-1.0), edge(1.0)])
 }
 
-/// Lift that the target force and the conditions require, m. It is used as unit of length in the solvers; 1 mm if nothing determines it.
+/// Lift that the target force and the conditions on the law require, m. The solvers use it as unit of length. It is 1 mm if neither force
+/// nor conditions determine it.
 pub fn typical_lift(drive: &Drive, target: Option<&Target>, law: &LawSpec) -> f64 {
     let [k, c, m, _] = drive.weights();
     let from_force = target.map_or(0.0, |target| {
@@ -266,7 +267,7 @@ pub fn typical_lift(drive: &Drive, target: Option<&Target>, law: &LawSpec) -> f6
 /// A force as a piecewise cubic over θ ∈ [0, 2π], N.
 pub fn piecewise(force: &ForceCurve) -> PiecewisePoly {
     let n = force.force_n.len();
-    // TAU·n/n may differ from TAU by a rounding error: the last break is set exactly.
+    // TAU·n/n may differ from TAU by a rounding error. The last break is therefore set exactly.
     let breaks = (0..n).map(|i| TAU * i as f64 / n as f64);
     let breaks = breaks.chain([TAU]).collect();
     let cells = force_cycle::cells(force, force.slopes());
@@ -274,7 +275,8 @@ pub fn piecewise(force: &ForceCurve) -> PiecewisePoly {
     PiecewisePoly::new(breaks, 3, coef)
 }
 
-/// Weight of the force error at a phase of the cycle, rad; 1 outside all ranges. If ranges overlap, the last one determines the weight.
+/// Weight of the squared force error at a phase of the cycle, rad. It is 1 outside all ranges. If ranges overlap, the last range determines
+/// the weight.
 pub fn weight_at(weights: &[PhaseWeight], phase: f64) -> f64 {
     let at = phase.rem_euclid(TAU);
     let inside = |w: &&PhaseWeight| {

@@ -111,7 +111,7 @@ fn a_size_is_given_sought_or_follows_the_law() {
     assert_eq!(size(&[("limits.prime_radius", "50 mm")]), Size::Sought);
 }
 
-/// Rows of a motion of 12 mm over 90°, rounded to `decimals`.
+/// Table of a motion of 12 mm over 90°, with lifts rounded to `decimals` decimals.
 fn rounded(motion: &crate::law::Rise, step: u32, decimals: i32) -> crate::law::Rise {
     let law = motion.law().unwrap();
     let unit = 10.0_f64.powi(decimals);
@@ -137,7 +137,7 @@ fn a_note_says_where_rounded_rows_make_the_acceleration() {
             let own = motion.factors().unwrap().ca;
             let excess = table.factors().unwrap().ca / own - 1.0;
             let case = format!("{} {step}° {decimals}: {excess}", motion.name());
-            // What rounding adds is below its bound.
+            // The additional acceleration due to rounding is below its bound.
             assert!(
                 excess <= table.rounded_acceleration() / own + 0.02,
                 "{case}"

@@ -1,8 +1,10 @@
 //! Walkers of a population. The machine is adjusted for each walker.
 //!
-//! The force of the machine for walker w is F_w = R_w + β_w (F − R). F is the force of the reference machine, and R its force at rest. Mass and speed
-//! change the force at rest R_w and the factor β_w, which is M_w ω_w²/(M ω²) on a moving axis. The forces for all walkers are therefore linear in the
-//! same law.
+//! Symbols: F force of the reference machine, R its force at rest, M its moved mass and ω its speed. F_w, R_w, M_w and ω_w are these
+//! quantities for walker w.
+//!
+//! The force of the machine for walker w is F_w = R_w + β_w (F − R). Mass and speed determine R_w and the factor β_w, which is M_w ω_w²/(M
+//! ω²) on a moving axis. The forces for all walkers are therefore linear in the same law.
 
 use std::f64::consts::TAU;
 
@@ -14,7 +16,7 @@ use crate::error::{Placed, Result, SynthError};
 use crate::force::{ForceCurve, Population, Walker};
 use crate::scene::{Adjust, ErrorMeasure, Robust, Scene};
 
-/// Relative tolerance of the check that the force coefficients of one drive are a multiple of those of another drive.
+/// Relative tolerance of the check that the force coefficients of two drives are proportional.
 const SAME: f64 = 1e-12;
 
 /// A walker, or one cycle of a walker, for whom a cam is designed.
@@ -22,7 +24,8 @@ const SAME: f64 = 1e-12;
 /// ```
 /// use gaitcam::{Problem, scene};
 ///
-/// // The same cam at another speed and mass: β = M ω²/(M₀ ω₀²).
+/// // The same cam at another speed and mass. The factor is β = M ω²/(M₀ ω₀²), with mass and speed of the reference machine in the
+/// // denominator.
 /// let scene = scene::built_in("footbridge")?.scene()?.with("gait.step_frequency", "1.6 Hz:2 Hz:2")?;
 /// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
 /// let served = &problem.walkers.as_ref().unwrap().each;
@@ -33,17 +36,18 @@ const SAME: f64 = 1e-12;
 pub struct Served {
     /// Name of the walker.
     pub name: String,
-    /// Weight of the cycle in a mean over all cycles. The sum over all cycles is 1.
+    /// Weight of the cycle in a mean over all cycles. The sum of all weights is 1.
     pub share: f64,
     /// Drive of the machine after its adjustment for the walker.
     pub drive: Drive,
     /// Factor β of the force of this walker's machine, relative to the reference machine.
     pub factor: f64,
-    /// Force to which the error is related, N. For relative errors it is the mean of the walker's target, otherwise the same force for all walkers.
+    /// Force to which the force error is related, N. For relative errors, it is the mean of the walker's target. For absolute errors, it is
+    /// the mean of the common target, which is equal for all walkers.
     pub unit: f64,
-    /// Target force, N, scaled as the scene requires, at the phase of the cam.
+    /// Target force, N, at the phase of the cam. It is scaled as the scene requires.
     pub target: ForceCurve,
-    /// Walking speed, m/s, if known.
+    /// Walking speed, m/s; `None` if it is unknown.
     pub speed_m_per_s: Option<f64>,
 }
 
@@ -65,16 +69,17 @@ pub struct Walkers {
     pub each: Vec<Served>,
     /// Number of walkers; a walker may have several cycles.
     pub count: usize,
-    /// Objective over the force errors of the walkers.
+    /// Function of the walkers' force errors that the design minimises, such as their mean square.
     pub robust: Robust,
-    /// Measure of the force errors: relative or in newtons.
+    /// Measure of the force errors: relative to the mean force, or in newtons.
     pub error: ErrorMeasure,
     /// Quantities of the machine that are adjusted for each walker.
     pub adjust: Adjust,
 }
 
 impl Walkers {
-    /// Walkers of the force, for a reference machine and the mean of its target; `None` if the force has only one cycle.
+    /// Walkers of the force. `reference` is the drive of the reference machine, and `mean` the mean of its target. `None` if the force does
+    /// not belong to a population.
     pub(super) fn of(
         scene: &Scene,
         force: Option<&ForceCurve>,
@@ -90,7 +95,7 @@ impl Walkers {
         if is_asked || reference.kind == DriveKind::MovingAxis {
             return with(adjust).map(Some);
         }
-        // With springs, dampers and masses together, a machine at another speed is not a multiple of the reference machine.
+        // For a machine with springs, dampers and masses together, the forces at two speeds are not proportional.
         let fixed = Adjust {
             speed: false,
             ..adjust
@@ -98,7 +103,7 @@ impl Walkers {
         with(adjust).or_else(|_| with(fixed)).map(Some)
     }
 
-    /// Walkers of a population, with the machine adjusted for each of them by `adjust`.
+    /// Walkers of a population. `adjust` states which quantities of the machine are adjusted for each walker.
     fn adjusted(
         scene: &Scene,
         population: &Population,
@@ -142,7 +147,7 @@ impl Walkers {
         })
     }
 
-    /// Copy in which each cycle starts at its own phase, rad.
+    /// Copy in which each cycle starts at the phase, rad, with the same index in `phases`.
     #[must_use]
     pub(crate) fn at_phases(&self, phases: &[f64]) -> Walkers {
         let mut out = self.clone();
@@ -152,7 +157,7 @@ impl Walkers {
         out
     }
 
-    /// Copy in which all cycles start at another phase, rad.
+    /// Copy in which all cycles start at the phase `phase`, rad.
     #[must_use]
     pub(super) fn begun_at(&self, phase: f64) -> Walkers {
         let mut out = self.clone();
@@ -163,7 +168,7 @@ impl Walkers {
     }
 }
 
-/// Quantities of the machine that are adjusted for each walker, as the scene requires or by default.
+/// Quantities of the machine that are adjusted for each walker. The scene determines them; otherwise the defaults are used.
 fn adjusted(scene: &Scene) -> Result<Adjust> {
     let (spec, is_moving) = (&scene.drive, scene.drive.kind == DriveKind::MovingAxis);
     let Some(adjust) = scene.gait.as_ref().and_then(|g| g.adjust) else {
@@ -187,7 +192,7 @@ fn adjusted(scene: &Scene) -> Result<Adjust> {
     Ok(adjust)
 }
 
-/// Factor β of a machine relative to the reference machine.
+/// Factor β of the force of a machine, relative to the reference machine.
 fn factor(own: &Drive, reference: &Drive) -> Result<f64> {
     let (own, all) = (own.weights(), reference.weights());
     let largest = (0..all.len()).max_by(|i, j| all[*i].abs().total_cmp(&all[*j].abs()));
@@ -209,8 +214,8 @@ fn resampled(curve: &ForceCurve, samples: usize) -> ForceCurve {
 }
 
 impl super::Problem {
-    /// Copy of the problem for a single target that is in phase with the cam. `slopes` are the slopes of its cubics, N per sample. The copy has no
-    /// walkers.
+    /// Copy of the problem for a single target in phase with the cam, without walkers. `slopes` are the slopes of the cubics of the target,
+    /// N per sample.
     #[must_use]
     pub(crate) fn for_target(&self, curve: ForceCurve, slopes: Vec<f64>) -> super::Problem {
         let mut out = self.clone();

@@ -1,4 +1,4 @@
-//! Recordings of a sweep, stored with their content.
+//! Recordings of a sweep, stored with the sweep by content.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -8,10 +8,10 @@ use crate::error::{Placed, Result, SweepError};
 use crate::force::ForceCurve;
 use crate::scene::{self, Scene};
 
-/// Key of a stored file: index of its base scene, and path of the file in this scene.
+/// Key of a stored file. It consists of the index of a base scene and the path of the file in this scene.
 pub type Named = (usize, String);
 
-/// Contents of the files that the rows of a sweep read.
+/// Contents of the files from which the rows of a sweep are computed.
 ///
 /// ```
 /// use gaitcam::sweep::Files;
@@ -22,7 +22,7 @@ pub type Named = (usize, String);
 /// ```
 pub type Files = BTreeMap<Named, Arc<Vec<u8>>>;
 
-/// Reads the force curve of a scene from the stored files. `scene` is the index of its base scene.
+/// Reads the force curve of a scene from the stored files. `scene` is the index of the base scene from which `of` was derived.
 ///
 /// # Errors
 ///

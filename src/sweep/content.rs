@@ -1,4 +1,4 @@
-//! A sweep together with the content of its recordings. Any computer can compute any of its rows.
+//! A sweep together with the content of its recordings. Any computer can compute any row of the sweep without further files.
 //!
 //! Row i depends only on the sweep and on i. Recordings are therefore stored by content and not by path.
 
@@ -51,7 +51,7 @@ pub enum Subject {
 /// let table = sweep.table()?;
 /// assert!((table.numbers("limits.stroke_m").unwrap()[1] - 0.05).abs() < 1e-15);
 /// assert_eq!(table.words("verdict").unwrap().at(3), Some("acceptable"));
-/// // A load model needs no file; the fingerprint tells this sweep from any other.
+/// // A load model needs no file. The fingerprint identifies the sweep.
 /// assert_eq!((sweep.rows()?, sweep.files().len()), (4, 0));
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
@@ -63,22 +63,22 @@ pub struct Sweep {
 }
 
 impl Sweep {
-    /// Creates a sweep over all combinations of the values of keys. The force of the scene must come from a load model. Each element of `vary` is
-    /// `KEY=START:STOP:COUNT` or `KEY=A,B`; the last key varies fastest.
+    /// Creates a sweep over all combinations of the values of keys. The force of the scene must not come from a recording. Each element of
+    /// `vary` is `KEY=START:STOP:COUNT` or `KEY=A,B`. The last key varies fastest.
     ///
     /// # Errors
     ///
-    /// A key or a value that cannot be varied. See [`Plan::of`] and [`Plan::validate`].
+    /// A key or a value cannot be varied. See [`Plan::of`] and [`Plan::validate`].
     pub fn over(scene: &Scene, vary: &[&str]) -> Result<Sweep> {
         let plan = Plan::of(scene.to_table(), vary, Sampling::Grid)?;
         Sweep::with_files(Subject::Designs(plan), Files::new())
     }
 
-    /// Creates a sweep and reads its recordings. `files` returns the access to the files of a base scene, given by its index.
+    /// Creates a sweep and reads its recordings. `files` returns the file access for a base scene, given by its index.
     ///
     /// # Errors
     ///
-    /// A recording is missing; a folder contains no recordings; errors of [`Plan::validate`].
+    /// A recording is missing, or a folder contains no recordings. The plan or a tolerance is invalid.
     pub fn new<'a, F: scene::Files + 'a>(
         subject: Subject,
         files: impl Fn(usize) -> &'a F,
@@ -90,7 +90,7 @@ impl Sweep {
             let files = files(scene);
             for name in gait.files(files)? {
                 let bytes = files.read(&name)?;
-                // Equal files are stored once.
+                // Files with equal content share one copy in memory.
                 let shared = contents
                     .entry((bytes.len(), checksum(&bytes)))
                     .or_insert(bytes);
@@ -106,13 +106,13 @@ impl Sweep {
     ///
     /// # Errors
     ///
-    /// The errors of [`Plan::validate`].
+    /// The errors of [`Plan::validate`], or a tolerance is invalid.
     pub fn with_files(subject: Subject, files: Files) -> Result<Sweep> {
         subject.validate()?;
         Ok(Sweep { subject, files })
     }
 
-    /// Contents of the files that the rows read.
+    /// Contents of the stored files from which the rows are computed.
     pub fn files(&self) -> &Files {
         &self.files
     }
@@ -121,7 +121,7 @@ impl Sweep {
     ///
     /// # Errors
     ///
-    /// The number of rows exceeds the range of row numbers.
+    /// The number of rows exceeds 2⁵³.
     pub fn rows(&self) -> Result<u64> {
         self.subject.rows()
     }
@@ -134,7 +134,7 @@ impl Sweep {
         }
     }
 
-    /// Description of the sweep as JSON data. Descriptions are equal exactly for equal sweeps.
+    /// Description of the sweep as JSON data. Two descriptions are equal if and only if the sweeps are equal.
     pub fn description(&self) -> Value {
         let mut out = match &self.subject {
             Subject::Designs(plan) => plan.description(),
@@ -169,12 +169,12 @@ impl Sweep {
         ]
     }
 
-    /// Computes a range of rows with `jobs` threads; `None` if `stop` ended the computation early. `halts` returns the time limit of a row that
-    /// starts now. The rows contain no computing times, because computing times differ from run to run.
+    /// Computes a range of rows with `jobs` threads; `None` if `stop` ended the computation early. `halts` returns the time limit of a row
+    /// that starts at the time of the call. The rows contain no computing times, because these differ from run to run.
     ///
     /// # Errors
     ///
-    /// Manufacturing samples are requested for a scene without a feasible cam.
+    /// Manufacturing samples require a design, but the scene is invalid or has no feasible cam.
     pub fn run(
         &self,
         rows: Range<u64>,
@@ -198,8 +198,8 @@ impl Sweep {
         Ok(records.unwrap_or_default())
     }
 
-    /// Creates a runner, which computes several ranges of rows with a shared cache. If a `clock` (s) is given, the rows contain their computing
-    /// times.
+    /// Creates a runner, which computes several ranges of rows with a shared cache. If `clock` (s) is given, the rows contain their
+    /// computing times.
     ///
     /// # Errors
     ///
@@ -224,7 +224,7 @@ impl Subject {
     ///
     /// # Errors
     ///
-    /// The number of rows exceeds the range of row numbers.
+    /// The number of rows exceeds 2⁵³.
     pub fn rows(&self) -> Result<u64> {
         row_count(match self {
             Subject::Designs(plan) => plan.rows(),
@@ -232,11 +232,11 @@ impl Subject {
         })
     }
 
-    /// The recordings that the rows read, each with the index of its base scene.
+    /// The recordings from which the rows are computed, each with the index of its base scene.
     ///
     /// # Errors
     ///
-    /// A value of `gait.file` is not a name.
+    /// A value of `gait.file` is not a file name.
     fn recordings(&self) -> Result<Vec<(usize, Gait)>> {
         let plan = match self {
             Subject::Designs(plan) => plan,
@@ -277,7 +277,7 @@ impl Scattered {
     }
 }
 
-/// The recordings of a scene; `None` if its force does not come from a recording.
+/// Recordings of a scene; `None` if the force of the scene does not come from a recording.
 fn gait_of(table: &toml::Table) -> Option<Gait> {
     let names = match table.get("gait")?.get("file")? {
         toml::Value::Array(all) => all.iter().collect(),
@@ -291,7 +291,7 @@ fn gait_of(table: &toml::Table) -> Option<Gait> {
     })
 }
 
-/// Checksum of bytes: hash FNV-1a with 64 bits (Fowler, Noll, Vo).
+/// Checksum of bytes by the 64-bit hash FNV-1a (Fowler, Noll, Vo).
 fn checksum(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, |sum, &b| {
         (sum ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3)

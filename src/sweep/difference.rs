@@ -9,12 +9,12 @@ use strum::VariantNames;
 use crate::error::{FileError, Placed, Result};
 use crate::wording::{self, Language};
 
-/// A difference between the descriptions of two sweeps. `path` is the key path of the difference, such as `vary limits.stroke`.
+/// A difference between the descriptions of two sweeps. `path` is the key path of the differing value, such as `vary limits.stroke`.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Difference {
-    /// Two different values. A value is `None` if the description does not contain it.
+    /// Two different values with the same key path.
     Value {
         /// Key path of the changed value.
         path: String,
@@ -23,7 +23,7 @@ pub enum Difference {
         /// Value in the second description; `None` if missing.
         new: Option<String>,
     },
-    /// Two different values, of which at least one is too long to quote.
+    /// Two different values, of which at least one is too long for a message.
     Long {
         /// Key path of the changed value.
         path: String,
@@ -51,11 +51,12 @@ impl Difference {
     }
 }
 
-/// Checks that the sweep to be continued equals the sweep that was started at `place`. `begun` and `now` are their descriptions.
+/// Checks that a sweep equals the sweep that was started in the folder `place`. `begun` describes the started sweep, and `now` the sweep to
+/// be continued.
 ///
 /// # Errors
 ///
-/// The sweeps differ. The error contains all differences in `language`.
+/// The sweeps differ. The error contains all differences as sentences in `language`.
 pub fn agree(place: &Path, begun: &Value, now: &Value, language: Language) -> Result<()> {
     let all = differences(begun, now);
     if all.is_empty() {
@@ -116,7 +117,7 @@ fn differing_values(path: String, old: &Value, new: &Value) -> Difference {
     Difference::Value { path, old, new }
 }
 
-/// Adds the lines that occur in only one of two texts to `out`.
+/// Adds the lines that occur in only one of the texts `old` and `new` to `out`.
 fn differing_lines(path: &str, old: &str, new: &str, out: &mut Vec<Difference>) {
     let only = |a: &str, b: &str| -> Vec<String> {
         let there: Vec<&str> = b.lines().collect();

@@ -23,16 +23,16 @@ pub struct Point {
     pub row: u64,
     /// Costs of the design, one for each objective. A smaller cost is better.
     pub values: Vec<f64>,
-    /// Cells of the row, as text.
+    /// Cells of the row in the table, as text.
     pub cells: Vec<String>,
 }
 
-/// Pareto front of the designs that were added so far.
+/// Pareto front of the designs that have been added.
 ///
 /// ```
 /// use gaitcam::sweep::Front;
 ///
-/// // (2, 2) is worse than (1, 1) in both; (0, 3) and (1, 1) are each better in one.
+/// // (2, 2) is dominated by (1, 1). Each of (0, 3) and (1, 1) is better in one cost.
 /// let mut front = Front::default();
 /// for (row, values) in [(0, [2.0, 2.0]), (1, [1.0, 1.0]), (2, [0.0, 3.0])] {
 ///     front.offer(row, &values, Vec::new);
@@ -49,21 +49,21 @@ pub struct Front {
 /// Relative difference below which two costs count as equal.
 const ROUNDING: f64 = 1e-9;
 
-/// Whether the costs `a` are at most equal to the costs `b` in every objective, up to rounding errors.
+/// Whether no cost in `a` exceeds the cost in `b` for the same objective, up to rounding errors.
 fn covers(a: &[f64], b: &[f64]) -> bool {
     let no_worse = |(x, y): (&f64, &f64)| x - y <= ROUNDING * x.abs().max(y.abs());
     a.iter().zip(b).all(no_worse)
 }
 
 impl Front {
-    /// Adds a design to the front, unless a design on the front dominates it or equals it. Designs that the new design dominates are removed. A
-    /// design with a cost that is not finite is ignored. `cells` is called only if the design is added.
+    /// Adds a design to the front, unless a design on the front dominates or equals it. Designs that the new design dominates are removed.
+    /// A design with a cost that is not finite is ignored. `cells` is called only if the design is added.
     pub fn offer(&mut self, row: u64, values: &[f64], cells: impl FnOnce() -> Vec<String>) {
         if values.iter().any(|v| !v.is_finite()) {
             return;
         }
         if let Some(i) = self.points.iter().position(|p| covers(&p.values, values)) {
-            // The same design is likely to dominate the next one, so it is compared first.
+            // This point is likely to dominate the next design too, so it is moved to the start of the list.
             self.points.swap(0, i);
             return;
         }
@@ -83,8 +83,9 @@ impl Front {
         out
     }
 
-    /// Best compromise on the front: the design nearest to the ideal point. Each cost is scaled so that the minimum on the front is 0 and the maximum
-    /// is 1. With a single objective, it is the design with the minimum cost. `None` for an empty front.
+    /// Best compromise on the front. It is the design nearest to the ideal point. For this distance, each cost is scaled so that the
+    /// minimum on the front is 0 and the maximum is 1. With a single objective, it is the design with the minimum cost. `None` for an empty
+    /// front.
     pub fn best(&self) -> Option<&Point> {
         let range = |k: usize| {
             let values = self.points.iter().map(|p| p.values[k]);
@@ -127,15 +128,15 @@ pub struct Objective {
     pub maximised: bool,
 }
 
-/// Default objectives; both are minimised.
+/// Names of the default objectives. Both columns are minimised.
 const USUAL: [&str; 2] = ["force_error", "prime_radius"];
 
 impl Objective {
-    /// Creates an objective for the column with a name, or with a name that begins with it.
+    /// Creates an objective for the column whose name is or begins with `name`.
     ///
     /// # Errors
     ///
-    /// No column has this name. The error contains the nearest name.
+    /// No column has this name. The error contains the most similar name.
     pub fn of(name: &str, maximised: bool, columns: &[String]) -> Result<Objective> {
         let column = objective(name, columns)?;
         Ok(Objective {
@@ -165,7 +166,7 @@ impl Objective {
     }
 }
 
-/// Selection of the designs that can be on a front.
+/// Criterion for the designs that are added to a front.
 ///
 /// ```
 /// use gaitcam::sweep::Admission;
@@ -201,12 +202,12 @@ impl Admission {
     }
 }
 
-/// Index of the column for an objective. The name is that of the column or its beginning, such as `jerk` for `jerk_max_m_per_s3`. `force_error` is
-/// the RMS force error in percent.
+/// Index of the column for an objective. `name` is the name of the column or its beginning, such as `jerk` for `jerk_max_m_per_s3`.
+/// `force_error` is the RMS force error in percent.
 ///
 /// # Errors
 ///
-/// No column has this name. The error contains the nearest name.
+/// No column has this name. The error contains the most similar name.
 pub fn objective(name: &str, columns: &[String]) -> Result<usize> {
     let name = match name.trim() {
         "force_error" => "force_rms_error_percent",
@@ -251,7 +252,7 @@ mod tests {
         );
         assert_eq!(front(&[[2.0, 2.0], [1.0, 1.0]]), [1]);
         assert_eq!(front(&[[1.0, 1.0], [1.0, 1.0], [f64::NAN, 0.0]]), [0]);
-        // Rounding keeps no design on the front, and a gain of 1e-6 does.
+        // A gain of the size of rounding errors does not keep a design on the front. A gain of 1e-6 does.
         let stroke = 0.043_734_862;
         assert_eq!(front(&[[stroke, 2.0], [stroke * (1.0 - 1e-15), 3.0]]), [0]);
         assert_eq!(

@@ -1,8 +1,8 @@
 //! Sweeps: designs of thousands of scenes.
 //!
-//! A [`Plan`] defines the scenes: a grid, a list or a sample over scene keys. A [`Sweep`] is a plan with the content of its recordings. It computes
-//! any range of its rows without side effects, so threads, processes or machines can share the work. [`Records`] are the rows as a table. The caller
-//! reads and writes files.
+//! A [`Plan`] defines the scenes as a grid, a list or a sample over scene keys. A [`Sweep`] is a plan with the content of its recordings.
+//! It computes any range of its rows without side effects, so threads, processes or machines can share the work. [`Records`] contain the
+//! rows as a table. The caller reads and writes files.
 
 mod carried;
 mod content;

@@ -13,9 +13,9 @@ use super::made::scatter::Samples;
 use super::plan::Plan;
 use super::table::records::Records;
 
-/// Maximum number of rows in one part of the work, which limits the memory.
+/// Maximum number of rows in one part of the work. It limits the required memory.
 const LARGEST_PART: u64 = 4096;
-/// Number of parts of the work for each thread. It is large enough to distribute the work evenly.
+/// Number of parts of the work for each thread. With this number, the work is evenly distributed over the threads.
 const PARTS_PER_THREAD: u64 = 16;
 /// Maximum time between two calls of `stop` while the threads work.
 const LOOK: Duration = Duration::from_millis(20);
@@ -68,14 +68,14 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// Computes a range of rows with `jobs` threads. If `stop` ends the computation, the result contains the first rows of the range, up to the end
-    /// of a part. `stop` is called only on the calling thread.
+    /// Computes a range of rows with `jobs` threads. If `stop` returns true, the result contains only the first rows of the range, up to
+    /// the end of a part. `stop` is called only on the calling thread.
     pub fn run(&self, rows: Range<u64>, jobs: usize, stop: &dyn Fn() -> bool) -> Records {
         Records::joined(self.map(rows, jobs, stop, &|part| part))
     }
 
-    /// Computes a range of rows in parts with `jobs` threads. `each` is applied to every part on the thread that computed the part. The results are
-    /// in the order of the rows.
+    /// Computes a range of rows in parts with `jobs` threads. `each` is applied to every part on the thread that computed this part. The
+    /// results are in the order of the rows.
     pub fn map<T: Send>(
         &self,
         rows: Range<u64>,
@@ -151,7 +151,8 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// Division of a range of rows into parts. An empty range has one part, so that the table contains its columns.
+/// Division of a range of rows into parts. All parts but the last have equal size. An empty range has one part, so that the table contains
+/// its columns.
 struct Parts {
     all: Range<u64>,
     size: u64,

@@ -7,10 +7,10 @@ use gaitcam::dynamics::RepeatedForce;
 use gaitcam::synth::{Design, Figure, Figures, OfWalker};
 use gaitcam::wording::{Language, rounded};
 
-/// Damping ratio of the vibration mode in the sentence on resonance.
+/// Damping ratio of the vibration mode to which the sentence on resonance refers.
 const SHOWN_DAMPING: f64 = 0.005;
 
-/// Display of a fact on the console. The report shows every fact.
+/// Form in which the console shows a fact. The report shows every fact with name and value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Brief {
     /// The fact is not shown on the console.
@@ -89,7 +89,7 @@ pub fn facts(design: &Design, group: Group, language: Language) -> Vec<Fact> {
     list.facts
 }
 
-/// Facts of a group that are shown on the console, in one line; `None` without such facts.
+/// One line with the facts of a group for the console; `None` if the console shows none of them.
 pub fn line(design: &Design, group: Group, language: Language) -> Option<String> {
     let facts = facts(design, group, language);
     let part = |fact: &Fact| match fact.brief {
@@ -101,7 +101,7 @@ pub fn line(design: &Design, group: Group, language: Language) -> Option<String>
     (!parts.is_empty()).then(|| parts.join(", "))
 }
 
-/// Name of the design quantity with the given column name, for the follower of a design.
+/// Name of a design quantity in the language of `words`. `column` is its column name. The name can depend on the follower of the design.
 pub(crate) fn label(design: &Design, column: &str, words: &Words) -> String {
     let label = |f: &Figure| f.label_on(&design.cam.follower, words.language());
     Figure::of_column(column).map_or(String::new(), label)
@@ -361,7 +361,7 @@ impl List<'_> {
         let Some(borne) = cam.allowable_pressure().filter(|_| !self.design.is_idle()) else {
             return;
         };
-        // Allowable pressure of the materials, with the safety factor.
+        // The allowable pressure of the materials is shown with the safety factor.
         let of_hardness = cam.making.hardness;
         let of_hardness = of_hardness.filter(|h| h.allowable_pressure() == borne);
         let margin = pressure.filter(|p| *p > 0.0);

@@ -7,7 +7,7 @@ use gaitcam::wording::{Language, number, quantity};
 
 use crate::words;
 
-/// A value with the unit of its parameter, as text.
+/// Formats a value of an identified parameter as text with its unit.
 fn shown(scene: &Scene, parameter: &Parameter, value: f64, language: Language) -> String {
     let unit = match parameter.key {
         "log.scale" => "",

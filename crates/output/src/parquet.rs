@@ -22,7 +22,7 @@ use gaitcam::sweep::{self, FieldValues, NUMBERS, Records, TIME, Words};
 
 pub use arrow_array::RecordBatch;
 
-/// Number of rows in a row group.
+/// Maximum number of rows in a row group. A [`Writer`] keeps one row group in memory.
 pub const GROUP_ROWS: usize = 131_072;
 
 fn field(column: &sweep::Field) -> Field {
@@ -194,7 +194,7 @@ pub fn number_at(column: &ArrayRef, row: usize) -> f64 {
         .map_or(f64::NAN, |x| x.value(row) as f64)
 }
 
-/// Word in a row of a column; empty if it is missing.
+/// Text in a row of a column; empty if it is missing.
 pub fn word_at(column: &ArrayRef, row: usize) -> &str {
     if let Some(words) = column.as_dictionary_opt::<Int32Type>() {
         return words.key(row).map_or("", |k| word_at(words.values(), k));

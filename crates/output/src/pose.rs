@@ -13,8 +13,8 @@ pub fn turned(p: [f64; 2], theta: f64) -> [f64; 2] {
     [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1]]
 }
 
-/// `n` equally spaced angles over the range of the law, rad. For an open law, the last angle is the end of the range. For a closed law,
-/// the last angle is one step before the end, because the end is the same position as the first angle.
+/// `n` equally spaced angles over the range of the law, rad. For an open law, the last angle is the end of the range. For a closed law, the
+/// end of the range is the same position as its start and is omitted.
 pub fn angles(law: &Law, n: usize) -> impl Iterator<Item = f64> {
     let (start, length) = law.extent();
     let steps = if law.is_closed() {
@@ -31,7 +31,7 @@ pub fn target_at(target: &ForceCurve, law: &Law, theta: f64) -> f64 {
     target.at(std::f64::consts::TAU * ((theta - start) / length))
 }
 
-/// Bounds of a drawing: lower left corner and upper right corner.
+/// Bounds of a drawing: lower left corner and upper right corner. The unit is that of the points in the drawing.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Bounds {
     pub low: [f64; 2],

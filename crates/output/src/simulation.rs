@@ -147,7 +147,7 @@ pub fn floor(floor: &FloorMotion, language: Language) -> String {
     words.fill("simulation-floor-values", &values)
 }
 
-/// Rows about the shaft: speed, motor, start, and minimum inertia.
+/// Rows of the result table on the shaft: speed, motor, start, and minimum inertia.
 pub(crate) fn shaft(shaft: &Shaft, words: &Words) -> Vec<(&'static str, String)> {
     let speed = [
         ("least", &*words.number(shaft.min)),
@@ -188,7 +188,7 @@ pub(crate) fn shaft(shaft: &Shaft, words: &Words) -> Vec<(&'static str, String)>
     ]
 }
 
-/// Rows about force, force error, bearing loads, torque and contact pressure.
+/// Rows of the result table on force, force error, bearing loads, torque and contact pressure.
 fn loads(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static str, String)> {
     let force = measures.force().name;
     let [low, high] = [outcome.force.min, outcome.force.max].map(|f| words.number(f));
@@ -232,7 +232,7 @@ fn loads(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static 
     lines
 }
 
-/// Rows about lift-off speed, initial turns and impacts.
+/// Rows of the result table on lift-off speed, initial turns and impacts.
 fn motion(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static str, String)> {
     let liftoff = match outcome.liftoff_speed {
         Some(w) => Some(measures.speed_words(w, words.language())),
@@ -276,8 +276,8 @@ fn motion(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static
     lines
 }
 
-/// Change below which a change of the results is a rounding error. It is in N for a force; for lost contact, it is a fraction of the
-/// cycle.
+/// Difference between the results of two models below which it counts as a rounding error. The difference is in N, or in N·m for an arm.
+/// For lost contact, it is a fraction of the cycle.
 const LEAST_CHANGE: f64 = 5e-5;
 
 fn impact_json(hit: &Impact) -> Value {

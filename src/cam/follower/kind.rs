@@ -107,7 +107,7 @@ impl FollowerKind {
     }
 
     /// Whether law and size are determined together in one optimisation. This is false for a translating cam, which has no size. It is also
-    /// false for a barrel and an oscillating mushroom, for which the size is determined after the law.
+    /// false for a barrel and an oscillating mushroom. Their size is determined after the law.
     pub fn has_size_beside_law(self) -> bool {
         !matches!(
             self,

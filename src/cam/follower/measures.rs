@@ -1,5 +1,5 @@
-//! Output units of the quantities of a design. Lifts are lengths, or angles for an arm. The position of the cam is an angle or a length. The load is
-//! a force or a moment.
+//! Output units of the quantities of a design. Lifts are lengths, or angles for an arm. The position of the cam is an angle or a length.
+//! The load is a force or a moment.
 
 use crate::units::Dimension;
 use crate::wording::{Language, degrees, fixed, number, people};
@@ -67,12 +67,12 @@ impl Unit {
     }
 }
 
-/// Kinds of motion of follower and cam. They determine the units.
+/// Kind of motion of follower and cam. It determines the units of a design.
 ///
 /// ```
 /// use gaitcam::cam::Measures;
 ///
-/// // The lift of an arm is an angle, that of a slide a length.
+/// // The lift of an arm is an angle. The lift of a translating follower is a length.
 /// assert_eq!(Measures::Oscillating.lift(0).name, "°");
 /// assert_eq!(Measures::Translating.lift(0).after("12.5"), "12.5 mm");
 /// ```

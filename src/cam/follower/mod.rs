@@ -29,7 +29,7 @@ use serde::Serialize;
 pub enum Follower {
     /// A flat face perpendicular to the motion of the follower.
     FlatTranslating {
-        /// Radius of the base circle. The face is at base_radius + s.
+        /// Radius of the base circle. At the lift s, the distance of the face from the cam centre is base_radius + s.
         base_radius: f64,
     },
     /// A roller on a follower that slides along a line with the distance `offset` from the cam centre.
@@ -50,18 +50,18 @@ pub enum Follower {
         /// Radius of the arc of the face.
         arc_radius: f64,
     },
-    /// A roller on an arm, with its centre at (c − A cos ξ, A sin ξ), ξ = ξ₀ + s. The law is in rad.
+    /// A roller on an arm. Its centre is at (c − A cos ξ, A sin ξ), with the arm angle ξ = ξ₀ + s and the lift s, rad.
     RollerOscillating {
         /// Distance c of the pivot at (c, 0); negative for a pivot on −x.
         pivot_distance: f64,
         /// Length A of the arm from pivot to roller centre.
         arm: f64,
-        /// Radius of the prime circle. It determines ξ₀ by cos ξ₀ = (A² + c² − Rp²)/(2Ac).
+        /// Radius Rp of the prime circle. It determines ξ₀ by cos ξ₀ = (A² + c² − Rp²)/(2Ac).
         prime_radius: f64,
         /// Radius of the roller; 0 for a knife edge.
         roller_radius: f64,
     },
-    /// An arc-shaped face on an arm; geometry as for the oscillating roller.
+    /// An arc-shaped face on an arm. Its centre moves like the centre of an oscillating roller.
     MushroomOscillating {
         /// Distance c of the pivot at (c, 0); negative for a pivot on −x.
         pivot_distance: f64,
@@ -72,13 +72,13 @@ pub enum Follower {
         /// Radius of the arc of the face.
         arc_radius: f64,
     },
-    /// A flat face on an arm. Its distance from the cam centre is f + c sin ξ, ξ = ξ₀ + s. The law is in rad.
+    /// A flat face on an arm. Its distance from the cam centre is f + c sin ξ, with the arm angle ξ = ξ₀ + s and the lift s, rad.
     FlatOscillating {
         /// Distance c of the pivot at (c, 0); negative for a pivot on −x.
         pivot_distance: f64,
         /// Offset f of the face from its parallel through the pivot, positive away from the cam.
         face_offset: f64,
-        /// Radius of the base circle. It determines ξ₀ by f + |c| sin ξ₀ = Rb.
+        /// Radius Rb of the base circle. It determines ξ₀ by f + |c| sin ξ₀ = Rb.
         base_radius: f64,
     },
     /// A roller on a translating cam. The cam moves along −x, the roller along +y. The law is a function of the travel in m.
@@ -133,8 +133,8 @@ impl Follower {
         }
     }
 
-    /// Radius of the base circle, m: radius of the profile where the follower dwells at s = 0. For a translating cam it is the base height,
-    /// for a barrel the radius of the cylinder.
+    /// Radius of the base circle, m. It is the radius of the profile where the follower rests at s = 0. For a translating cam, the result
+    /// is the base height. For a barrel, it is the radius of the cylinder.
     pub fn base_radius(&self) -> f64 {
         match *self {
             Follower::FlatTranslating { base_radius }
@@ -162,7 +162,7 @@ impl Follower {
         }
     }
 
-    /// Follower with another base radius; for a barrel, with another radius of the cylinder.
+    /// Copy of the follower with the base radius `base`, m. For a barrel, `base` is the radius of the cylinder.
     #[must_use]
     pub fn with_base_radius(mut self, base: f64) -> Follower {
         let rolling = self.roller_radius();
@@ -179,7 +179,7 @@ impl Follower {
         self
     }
 
-    /// Offset of the follower's line of motion, m; 0 for followers without one.
+    /// Offset of the follower's line of motion, m; 0 for followers without an offset.
     pub fn offset(&self) -> f64 {
         match *self {
             Follower::RollerTranslating { offset, .. }
@@ -218,13 +218,14 @@ impl Follower {
         )
     }
 
-    /// Height D = √(Rp² − e²) of a translating follower at s = 0, m: height of the face, or of the circle's centre, above the cam centre.
+    /// Height D = √(Rp² − e²) of a translating follower at s = 0, m, with the prime radius Rp and the offset e. It is the height of the
+    /// face, or of the circle's centre, above the cam centre.
     pub fn start_height(&self) -> f64 {
         let (rp, e) = (self.prime_radius(), self.offset());
         (rp * rp - e * e).sqrt()
     }
 
-    /// Position of the follower at s = 0: its height above the cam centre, m, or the angle of its arm, rad.
+    /// Position of the follower at s = 0. It is the height above the cam centre, m, or the angle of the arm, rad.
     pub(super) fn start_place(&self) -> f64 {
         self.start_angle().unwrap_or_else(|| self.start_height())
     }
@@ -242,7 +243,7 @@ impl Follower {
         }
     }
 
-    /// The follower with the base radius for which its position is `start` when s = 0; `None` if no such follower exists.
+    /// Copy of the follower with the base radius for which its position is `start` when s = 0. `None` if no such base radius exists.
     pub(super) fn with_start_place(&self, start: f64) -> Option<Follower> {
         let flat_arm = self.pivot().is_some() && self.arm().is_none();
         let base = self.base_radius_at(start);

@@ -10,14 +10,14 @@ use crate::units::Quantity;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 impl Cam {
-    /// Rejects invalid dimensions: lengths that are not positive, an offset beyond the prime circle, an arm that is too short. Also rejects a swing
-    /// beyond the dead centres, and a pivot inside the cam.
+    /// Rejects dimensions with which the follower cannot execute the law. Examples are lengths that are not positive, an offset beyond the
+    /// prime circle, an arm that does not reach the prime circle, a swing beyond the dead centres, and a pivot inside the cam.
     ///
     /// Undercut and steep pressure angles are not errors of the input. The verdict of a synthesis reports them.
     ///
     /// # Errors
     ///
-    /// The invalid length or angle, as an error of the cam or of its input.
+    /// A length or an angle is invalid. The error contains the invalid value.
     pub fn check(&self) -> Result<()> {
         self.check_beside()?;
         match self.follower.pivot() {
@@ -26,8 +26,8 @@ impl Cam {
         }
     }
 
-    /// Checks as [`Cam::check`] does, but the pivot may lie within the outline of the cam, because the arm is in another plane (permitted by
-    /// CAM-DAS).
+    /// Checks as [`Cam::check`] does, but permits a pivot within the outline of the cam, because the arm is in another plane. CAM-DAS also
+    /// permits this.
     ///
     /// # Errors
     ///
@@ -127,7 +127,8 @@ impl Cam {
         .into())
     }
 
-    /// Checks that the face rotates relative to the cam without reversal: 1 + σξ′ > 0, with the sign σ of the pivot's x coordinate and ξ′ = dξ/dθ.
+    /// Checks that the face rotates relative to the cam without reversal. The condition is 1 + σξ′ > 0. Here σ is the sign of the pivot's x
+    /// coordinate, and ξ′ = dξ/dθ.
     fn check_arm_speed(&self, side: f64) -> Result<()> {
         let (slow, fast) = self.law.extremes(1);
         let worst = if side > 0.0 { slow } else { fast };

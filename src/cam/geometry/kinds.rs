@@ -8,7 +8,8 @@ pub trait Kind {
     /// Contact at a given lift, velocity and acceleration.
     fn contact(&self, motion: [f64; 3]) -> Contact;
 
-    /// Velocities at a point of the fixed frame: of the follower per unit of s, and of the cam per unit of θ.
+    /// Velocities at a point of the fixed frame. The first is that of the follower per unit of lift, the second that of the cam per unit of
+    /// θ.
     fn velocities(&self, point: [f64; 2]) -> [[f64; 2]; 2];
 }
 
@@ -24,7 +25,7 @@ fn swinging([x, y]: [f64; 2], pivot: f64, side: f64) -> [f64; 2] {
     [side * y, -side * (x - side * pivot)]
 }
 
-/// Velocity of a point of a translating cam, per metre of travel.
+/// Velocity of a translating follower, per metre of lift.
 const SLIDING: [f64; 2] = [0.0, 1.0];
 
 /// Contact of a translating flat face with a rotating cam.
@@ -87,8 +88,8 @@ impl Kind for Circle {
     }
 }
 
-/// Contact of a roller with a translating cam (scale 1) or an unrolled barrel (scale = its radius, m). The pitch curve is (scale·θ, base +
-/// s).
+/// Contact of a roller with a translating cam (scale 1) or an unrolled barrel. For a barrel, the scale is its radius, m. The pitch curve is
+/// (scale·θ, base + s).
 #[derive(Debug, Clone, Copy)]
 pub struct Unrolled {
     pub scale: f64,
@@ -159,7 +160,7 @@ impl Kind for FlatOnArm {
             pitch: point,
             normal: [side * sin, cos],
             rho,
-            // Distance along the face from the foot of the perpendicular from the pivot to the contact: c cos ξ/(1 + σξ′).
+            // The distance along the face from the foot of the perpendicular from the pivot to the contact is c cos ξ/(1 + σξ′).
             tan_pressure: side * offset / (pivot * cos * speed) + 0.0,
         }
     }

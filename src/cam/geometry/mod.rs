@@ -1,12 +1,12 @@
 //! Contact of cam and follower in the fixed frame.
 //!
-//! Followers with a circle (roller, knife edge, mushroom): C(θ) is the centre of the circle in the fixed frame, and R(−θ)·C is the pitch curve in
-//! the cam's frame. In the fixed frame, the tangent of the pitch curve is t = C′ − J·C and the derivative of t is C″ − 2J·C′ − C, where J is the
-//! rotation by 90°. The curve is traversed clockwise. Its curvature is −det(t, t′)/|t|³, positive where convex. The cam is the inner parallel curve
-//! at the radius of the circle.
+//! Followers with a circle (roller, knife edge, mushroom): C(θ) is the centre of the circle in the fixed frame, and R(−θ)·C is the pitch
+//! curve in the cam's frame. In the fixed frame, the tangent of the pitch curve is t = C′ − J·C and the derivative of t is C″ − 2J·C′ − C,
+//! where J is the rotation by 90°. The curve is traversed clockwise. Its curvature is −det(t, t′)/|t|³, positive where convex. The cam is
+//! the inner parallel curve at the radius of the circle.
 //!
-//! Flat faces: a face with the outward normal n at the angle ψ has the distance p from the cam's centre. The cam is the envelope p·n + (dp/dψ)·n⊥
-//! with the radius of curvature p + d²p/dψ².
+//! Flat faces: a face with the outward normal n at the angle ψ has the distance p from the cam's centre. The cam is the envelope p·n +
+//! (dp/dψ)·n⊥ with the radius of curvature p + d²p/dψ².
 
 mod contact;
 mod fit;
@@ -105,9 +105,9 @@ impl Geometry {
         }
     }
 
-    /// Position of the contact on the follower, m. On a flat face, it is measured from the foot of the perpendicular on the face. The perpendicular
-    /// starts at the cam centre (translating) or at the pivot (oscillating). On a mushroom, the position is measured along the chord from the
-    /// middle of the arc.
+    /// Position of the contact on the follower, m. On a flat face, it is measured from the foot of the perpendicular on the face. The
+    /// perpendicular starts at the cam centre (translating) or at the pivot (oscillating). On a mushroom, the position is measured along
+    /// the chord from the middle of the arc.
     pub fn travel(&self, at: Svaj) -> f64 {
         match self {
             Geometry::Flat(_) => at.v,

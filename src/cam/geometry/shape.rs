@@ -6,9 +6,9 @@ use crate::law::Svaj;
 use crate::poly::Extreme;
 
 impl Cam {
-    /// Minimum and maximum pressure angle φ, rad. It is positive if the force is rotated counter-clockwise from the motion, as during a rise. It is
-    /// zero for a translating flat face. For a flat face on an arm, sin φ = f/L, with the face offset f and the distance L from the pivot to the
-    /// contact.
+    /// Minimum and maximum pressure angle φ, rad. It is positive if the force is rotated counter-clockwise from the motion, as during a
+    /// rise. It is zero for a translating flat face. For a flat face on an arm, sin φ = f/L, with the face offset f and the distance L from
+    /// the pivot to the contact.
     pub fn pressure_angle_extremes(&self) -> (Extreme, Extreme) {
         if self.follower.is_flat() && self.follower.face_offset() == 0.0 {
             let zero = Extreme {
@@ -19,7 +19,7 @@ impl Cam {
         }
         let geometry = Geometry::new(&self.follower);
         let (low, high) = match geometry {
-            // tan φ = v/scale is linear in the law: exact roots.
+            // tan φ = v/scale is linear in the law, so its extremes are exact.
             Geometry::Unrolled(unrolled) => self
                 .law
                 .extremes_of([0.0, 1.0 / unrolled.scale, 0.0, 0.0], 0.0),
@@ -29,7 +29,7 @@ impl Cam {
         (angle(low), angle(high))
     }
 
-    /// Maximum |pressure angle|, rad, where the follower rises (ds/dθ > 0) and where it falls; 0 if there is no rise or fall.
+    /// Maximum absolute pressure angles, rad, during the rise (ds/dθ > 0) and during the fall of the follower; 0 without a rise or a fall.
     pub fn pressure_angles_by_motion(&self) -> [Extreme; 2] {
         let geometry = Geometry::new(&self.follower);
         let on_axis = matches!(geometry, Geometry::Unrolled(_)) || self.follower.offset() == 0.0;
@@ -51,8 +51,8 @@ impl Cam {
 
     /// Minimum convex and concave radii of the finished profile.
     ///
-    /// For a translating flat face, the radius of curvature is Rb + s + a, whose extremes are exact. A flat face cannot touch a concave flank, so
-    /// its minimum radius is signed and no concave radius is given.
+    /// For a translating flat face, the radius of curvature is Rb + s + a, with the base radius Rb, the lift s and its second derivative a.
+    /// Its extremes are exact. A flat face cannot touch a concave flank, so its minimum radius is signed and no concave radius is given.
     pub fn curvature(&self) -> Curvature {
         let geometry = Geometry::new(&self.follower);
         let flat = |low: Extreme| Curvature {
@@ -81,8 +81,8 @@ impl Cam {
     }
 
     /// Range of the contact on the follower, m: minimum and maximum position. On a flat face, positions are measured from the foot of the
-    /// perpendicular on the face. The perpendicular starts at the cam centre (translating) or at the pivot (oscillating, as in CAM-DAS). On a
-    /// mushroom they are measured along the chord from the middle of the arc. `None` for rollers and knife edges.
+    /// perpendicular on the face. The perpendicular starts at the cam centre (translating) or at the pivot (oscillating, as in CAM-DAS). On
+    /// a mushroom they are measured along the chord from the middle of the arc. `None` for rollers and knife edges.
     pub fn contact_travel(&self) -> Option<(Extreme, Extreme)> {
         match self.follower {
             Follower::FlatTranslating { .. } => Some(self.law.extremes(1)),
@@ -96,17 +96,18 @@ impl Cam {
         }
     }
 
-    /// Position of the contact on the follower at one instant of the motion, m, measured as in [`Cam::contact_travel`]. On a roller it is measured
-    /// along the chord from the middle of the roller.
+    /// Position of the contact on the follower at one instant of the motion, m, measured as in [`Cam::contact_travel`]. On a roller it is
+    /// measured along the chord from the middle of the roller.
     pub fn contact_along(&self, at: Svaj) -> f64 {
         Geometry::new(&self.follower).travel(at)
     }
 
-    /// Minimum and maximum radius of the finished profile about the centre of the shaft, m, with their cam angles; `None` for unrolled profiles.
+    /// Minimum and maximum radius of the finished profile about the centre of the shaft, m, with their cam angles; `None` for unrolled
+    /// profiles.
     ///
-    /// Where the distance of the profile from the centre is extreme, the normal of the profile is radial and the follower is at rest. The radius
-    /// there equals the radius of the base circle on which the follower would have this position at s = 0. The result is exact for a profile
-    /// without undercut.
+    /// Where the distance of the profile from the centre is extreme, the normal of the profile is radial and the follower is at rest. At
+    /// this point, the profile radius equals the radius of a base circle. It is the base circle on which the follower would have the same
+    /// position at s = 0. The result is exact for a profile without undercut.
     pub fn radii(&self) -> Option<[Extreme; 2]> {
         let follower = &self.follower;
         let start = follower.start_place();
@@ -115,15 +116,15 @@ impl Cam {
         (!follower.is_unrolled()).then(|| [at(low), at(high)])
     }
 
-    /// Minimum length of the face, flat or mushroom, m: the range of the contact on it. For a translating flat face this is max v − min v (Campillo
-    /// de Blas 2017). `None` for rollers and knife edges.
+    /// Minimum length of a flat or mushroom face, m. It is the length of the contact range on the face. For a translating flat face, it is
+    /// max v − min v (Campillo de Blas 2017). `None` for rollers and knife edges.
     pub fn face_width(&self) -> Option<f64> {
         self.contact_travel()
             .map(|(low, high)| high.value - low.value)
     }
 }
 
-/// Radius of a finished convex flank from the maximum curvature of its pitch curve; infinite if no part is convex.
+/// Radius of curvature of a finished convex flank, m, from the maximum curvature of its pitch curve; infinite if no part is convex.
 pub(in crate::cam) fn finished_radius(curvature: Extreme, roller: f64) -> Extreme {
     curvature.map(|bend| {
         if bend > 0.0 {

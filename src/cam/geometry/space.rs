@@ -4,7 +4,7 @@ use super::Geometry;
 use crate::cam::{Cam, Follower, ProfilePoint};
 use crate::law::Svaj;
 
-/// Number of consecutive profile points with one common evaluation of sine and cosine. The addition theorems give the values of the other
+/// Number of consecutive profile points for which sine and cosine are evaluated once. The addition theorems give the values of the other
 /// points.
 const TURNS: usize = 32;
 
@@ -61,12 +61,13 @@ impl Geometry {
         }
     }
 
-    /// Profile point at the cam angle (or travel) `theta` for the motion `at` of the follower.
+    /// Point of the profile at the cam angle (or travel) `theta`. `at` is the motion of the follower at this angle.
     pub fn profile_point(&self, theta: f64, at: Svaj) -> ProfilePoint {
         self.seen_from(self.frame(theta), theta, at)
     }
 
-    /// Profile points for the motions `motions` of the follower, at the cam angles (or travels) `angles`, which increase in steps of `step`.
+    /// Profile points for the motions `motions` of the follower, at the cam angles (or travels) `angles`, which increase in steps of
+    /// `step`.
     pub fn profile_points(&self, step: f64, angles: &[f64], motions: &[Svaj]) -> Vec<ProfilePoint> {
         let turns: [Frame; TURNS] = std::array::from_fn(|k| self.frame(step * k as f64));
         let mut out = Vec::with_capacity(angles.len());
@@ -112,8 +113,8 @@ impl Cam {
         [side * sin, cos]
     }
 
-    /// Exact outward unit normal of the cam at a profile point, in the cam frame. For a flat face it is the normal of the face; otherwise the
-    /// direction of motion, rotated by the pressure angle.
+    /// Exact outward unit normal of the cam at a profile point, in the cam frame. For a flat face it is the normal of the face; otherwise
+    /// the direction of motion, rotated by the pressure angle.
     pub fn normal(&self, point: &ProfilePoint) -> [f64; 2] {
         let motion = self.motion(point.theta);
         let fixed = if self.follower.is_flat() {

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-/// Two thresholds that an unmeasured gap between neighbouring points exceeds: a fraction of the length of the outline, and a multiple of the mean
-/// distance of the points.
+/// Two thresholds for the distance between neighbouring points above which the gap counts as unmeasured. The first is a fraction of the
+/// length of the outline, the second a multiple of the mean distance of the points.
 const GAP: (f64, f64) = (0.05, 4.0);
 
 /// First and last cam angle, rad, of the longest unmeasured part of the outline; `None` if the measured points cover the outline. `outline`

@@ -28,7 +28,8 @@ const ROUNDING: f64 = 1e-13;
 /// Standard error of the rotation, rad, above which the points do not determine the rotation.
 const UNSURE: f64 = 0.1;
 
-/// A point in the cam's frame with the normal of the profile at its foot point and its distance along this normal.
+/// A measured point `q` in the cam's frame. The other fields are the cam angle and the outward normal at its foot point, and its distance
+/// from the profile along this normal, m.
 #[derive(Debug, Clone, Copy)]
 pub struct Foot {
     pub q: [f64; 2],
@@ -37,7 +38,7 @@ pub struct Foot {
     pub distance: f64,
 }
 
-/// A profile point with its outward normal.
+/// A sampled profile point with its outward normal and its cam angle.
 #[derive(Debug, Clone, Copy)]
 pub struct Sample {
     pub theta: f64,
@@ -55,7 +56,8 @@ impl Cam {
         self.profile(n).iter().map(sample).collect()
     }
 
-    /// Local minima of the search, best first. From every initial angle, the distances to the tangents at the nearest samples are minimised.
+    /// Initial poses for the fit, best first. They are the local minima of a coarse search. From each initial angle, this search minimises
+    /// the distances to the tangents at the nearest samples.
     fn starts(&self, points: &[[f64; 2]], ball: f64) -> Vec<Pose> {
         let samples = self.samples(COARSE_PROFILE);
         let every = points.len().div_ceil(COARSE_POINTS);
@@ -111,8 +113,8 @@ pub struct Fit {
 }
 
 impl Exact<'_> {
-    /// Fits with a locally minimum sum of squared distances of the kept points, in ascending order of the residual. Among equal fits, the
-    /// first is the one whose centre is nearest to the frame's origin, since most cams are measured about their shaft.
+    /// Fits for which the sum of squared distances of the kept points has a local minimum, in ascending order of the residual. Among equal
+    /// fits, the first has its centre nearest to the origin of the measuring frame, because most cams are measured about their shaft.
     pub fn fits(&self, points: &[[f64; 2]], kept: &[bool]) -> Vec<Fit> {
         let (_, high) = radii(&self.samples);
         let used = chosen(points, kept);
@@ -160,8 +162,8 @@ impl Exact<'_> {
     }
 }
 
-/// Root of a function that falls from a positive value at `low` to a negative one at `high`. Method: false position with halved value of
-/// the older end (Illinois). `None` if the function does not have these signs.
+/// Root of a function that decreases from a positive value at `low` to a negative value at `high`. `None` if the function does not have
+/// these signs. The method is false position with halved value of the older end (Illinois method).
 fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
     let (mut above, mut below) = (f(low), f(high));
     if above < 0.0 || below > 0.0 {
@@ -250,8 +252,8 @@ fn normal_equations(feet: &[Foot], pose: &Pose, size: f64) -> (Matrix3<f64>, Vec
     (matrix, right)
 }
 
-/// Fit that starts at a pose, with the foot points computed by `foot`. The iteration ends after a maximum number of steps, or when a step
-/// is smaller than a fraction of `size`.
+/// Fit that starts at a pose. `foot` computes the foot point of a point in the cam's frame. The iteration ends after a maximum number of
+/// steps, or when a step is smaller than a fraction of `size`.
 fn fitted(
     mut pose: Pose,
     points: &[[f64; 2]],
@@ -284,8 +286,8 @@ fn step(feet: &[Foot], pose: &Pose, size: f64) -> Option<[f64; 3]> {
     step.iter().all(|x| x.is_finite()).then_some(step)
 }
 
-/// Whether the points determine the rotation of the cam. They do if the standard error of the rotation, computed from the scatter about the
-/// profile, is small.
+/// Whether the points determine the rotation of the cam. This requires a small standard error of the rotation, computed from the scatter of
+/// the points about the profile. It also requires that the profile is not circular.
 pub fn is_determined(feet: &[Foot], pose: &Pose, size: f64) -> bool {
     let (matrix, _) = normal_equations(feet, pose, size);
     let shares = matrix.symmetric_eigenvalues();
@@ -297,7 +299,7 @@ pub fn rms(feet: &[Foot]) -> f64 {
     (squares.sum::<f64>() / feet.len() as f64).sqrt()
 }
 
-/// Items of a list that are marked as kept.
+/// Items of the list `all` that are marked as kept in `kept`.
 pub fn chosen<T: Copy>(all: &[T], kept: &[bool]) -> Vec<T> {
     let is_kept = |(one, kept): (&T, &bool)| kept.then_some(*one);
     all.iter().zip(kept).filter_map(is_kept).collect()

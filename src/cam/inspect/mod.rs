@@ -1,14 +1,15 @@
 //! Inspection of a manufactured cam: deviations of measured points from the profile.
 //!
-//! Centre and zero angle of the cam are unknown in the measuring frame. The best fit is the rigid motion (rotation and shift) with the minimum sum of
-//! squared normal distances to the exact profile. It is computed by the Gauss–Newton method. The distance of a point changes by n·J(q − b) per
-//! rotation and by n per shift, with the normal n at the foot point. The sum has other local minima, so the search starts from many angles.
+//! The centre and the zero angle of the cam are unknown in the measuring frame. The best fit is the rigid motion (rotation and shift) with
+//! the minimum sum of squared normal distances to the exact profile. It is computed by the Gauss–Newton method. The distance of a point q
+//! in the cam's frame changes by n·J(q − b) per rotation and by n per shift. Here n is the normal at the foot point, b the centre of the
+//! rotation, and J the rotation by 90°. The sum has other local minima, so the search starts from many angles.
 //!
-//! Points far outside the scatter of the others are outliers. They are listed and excluded from the fit. Points of the mirror image are rejected, and
-//! a part of the profile without points is reported.
+//! Points far outside the scatter of the other points are outliers. They are listed and excluded from the fit. Points of the mirror image
+//! are rejected. A part of the profile without points is reported.
 //!
-//! A rotation or translation of the whole cam is not a deviation. An eccentric bore is therefore detected only if the centre of the bore is measured
-//! as well.
+//! A rotation or translation of the whole cam is not a deviation. An eccentric bore is therefore detected only if the centre of the bore is
+//! measured as well.
 
 mod coverage;
 mod fit;
@@ -22,7 +23,7 @@ use fit::{ALIKE, Exact, Fit, Foot, SAME, chosen, is_determined, longest, radii, 
 use outliers::without_outliers;
 use pose::{Pose, middle, wrapped};
 
-/// Minimum number of points: three unknowns and the shape.
+/// Minimum number of measured points. The fit has three unknowns, and further points determine the shape.
 pub const FEWEST: usize = 12;
 /// Number of profile samples. The sample nearest to a measured point is the initial value of its foot point.
 const PROFILE: usize = 2880;
@@ -58,7 +59,7 @@ pub struct Deviation {
     pub theta: f64,
     /// Distance from the profile along the normal, m; positive for excess material.
     pub normal: f64,
-    /// Whether the point is far outside the scatter of the others, and excluded from the fit.
+    /// Whether the point is far outside the scatter of the other points and therefore excluded from the fit.
     pub is_outlier: bool,
 }
 
@@ -68,7 +69,7 @@ pub struct Deviation {
 /// use gaitcam::cam::{Cam, Follower};
 /// use gaitcam::law::Law;
 ///
-/// // The cam itself, turned by 30° in the measuring machine.
+/// // Points of the exact profile, with the cam rotated by 30° in the measuring machine.
 /// let law = Law::harmonic(0.01, &[(0.006, 0.004), (0.001, -0.002)]);
 /// let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.04 })?;
 /// let (sin, cos) = (std::f64::consts::PI / 6.0).sin_cos();
@@ -116,12 +117,13 @@ impl Inspection {
 }
 
 impl Cam {
-    /// Fits measured points (m, in any order and frame) to the profile. With `ball` > 0 the points are centres of a probing ball of this radius, m.
+    /// Fits measured points (m, in any order and frame) to the profile. If `ball` is positive, the points are centres of a probing ball of
+    /// this radius, m.
     ///
     /// # Errors
     ///
-    /// Fewer than 12 points; non-finite coordinates; points of another cam or of the mirror image; a cam that is circular within the scatter; a cam
-    /// that does not rotate.
+    /// There are fewer than 12 points, or a coordinate is not finite. The points belong to another cam or to the mirror image. The cam is
+    /// circular within the scatter of the points, or it does not rotate.
     pub fn inspect(&self, points: &[[f64; 2]], ball: f64) -> Result<Inspection> {
         self.refuse_unfit(points)?;
         let samples = self.samples(PROFILE);
@@ -165,7 +167,8 @@ impl Cam {
             }
         }
         if best.rms > OTHER * (high - low) {
-            // The fit may diverge for points of another cam. The error states a finite distance: that with coinciding centres, if it is smaller.
+            // For points of another cam, the fit may diverge. The error then contains the residual with coinciding centres, which is
+            // finite.
             let outline: Vec<[f64; 2]> = exact.samples.iter().map(|s| s.p).collect();
             let (angle, pivot, place) = (0.0, middle(points), middle(&outline));
             let laid = Pose {

@@ -1,16 +1,16 @@
-//! Detection of points far outside the scatter of the others.
+//! Detection of measured points far outside the scatter of the other points.
 
 use super::fit::Foot;
 
-/// Two thresholds that the deviation of an outlier from the median exceeds. The first is a number of standard deviations, estimated from the median
-/// absolute deviation. The second is a fraction of the maximum radius.
+/// Two thresholds that the deviation of an outlier from the median exceeds. The first is a number of standard deviations, estimated from
+/// the median absolute deviation. The second is a fraction of the maximum radius.
 const OUTLIER: (f64, f64) = (10.0, 1e-6);
 /// Ratio of standard deviation and median absolute deviation of a normal distribution.
 const NORMAL: f64 = 1.4826;
 /// Maximum fraction of outliers. If more points deviate, the deviations are attributed to the shape of the cam.
 const FEW: f64 = 0.05;
 
-/// Marks the points that are not outliers; `None` if too many points are far from the others.
+/// Marks the points that are not outliers; `None` if too many points are far from the other points.
 pub fn without_outliers(feet: &[Foot], size: f64) -> Option<Vec<bool>> {
     let middle_of = |mut values: Vec<f64>| {
         values.sort_by(f64::total_cmp);

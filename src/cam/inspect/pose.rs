@@ -2,7 +2,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-/// Rigid motion from the measuring frame to the cam's frame: q = R(angle)(m − pivot) + place.
+/// Rigid motion from the measuring frame to the cam's frame: q = R(angle)(m − pivot) + place. Here m is a measured point, q the same point
+/// in the cam's frame, and R the rotation matrix.
 #[derive(Debug, Clone, Copy)]
 pub struct Pose {
     pub angle: f64,
@@ -21,7 +22,7 @@ impl Pose {
         ]
     }
 
-    /// The pose after a further rotation, rad, about `place` and a shift, m.
+    /// Copy of the pose after a further rotation about `place`, rad, and a further shift, m.
     pub fn moved(&self, [turn, x, y]: [f64; 3]) -> Pose {
         Pose {
             angle: self.angle + turn,
@@ -58,7 +59,7 @@ pub fn middle(points: &[[f64; 2]]) -> [f64; 2] {
     }
 }
 
-/// An angle reduced to (−π, π].
+/// Angle in (−π, π], rad, that differs from `angle` by whole turns.
 pub fn wrapped(angle: f64) -> f64 {
     let turn = std::f64::consts::TAU;
     let inside = angle.rem_euclid(turn);

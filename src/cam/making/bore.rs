@@ -22,11 +22,12 @@ const DIN_6885: [[f64; 3]; 17] = [
     [130.0, 32.0, 7.4],
     [150.0, 36.0, 8.4],
 ];
-/// Minimum shaft diameter of the table, m.
+/// Minimum shaft diameter for which the standard specifies a key, m.
 const THINNEST: f64 = 6e-3;
-/// Wall of a hub as a fraction of its bore diameter: the outer diameter of a hub is 1.5 to 2 times the shaft diameter.
+/// Thickness of the wall of a hub, as a fraction of its bore diameter. The outer diameter of a hub is usually 1.5 to 2 times the shaft
+/// diameter.
 const HUB: f64 = 0.25;
-/// Minimum thickness of the wall around a bore without a keyway, and outside a keyway, m.
+/// Minimum thickness of the wall around a bore without a keyway, m. The next constant applies to the wall outside a keyway.
 const WALL: f64 = 1e-3;
 const KEYED_WALL: f64 = 3e-3;
 
@@ -76,7 +77,7 @@ impl Keyway {
     }
 
     fn of(row: &[f64; 3]) -> Keyway {
-        // Division by 1000 gives the floating-point numbers nearest to those of the standard; multiplication by 1e-3 does not.
+        // Division by 1000 gives the floating-point numbers nearest to those of the standard. Multiplication by 1e-3 does not.
         Keyway {
             width: row[1] / 1e3,
             depth: row[2] / 1e3,
@@ -115,7 +116,7 @@ impl Bore {
         0.5 * self.diameter
     }
 
-    /// Maximum distance of the edge of the bore from the centre, m. With a keyway, it is the distance of the keyway's corners.
+    /// Maximum distance of the edge of the bore from the centre, m. With a keyway, it is the distance of the outer corners of the keyway.
     pub fn reach(&self) -> f64 {
         match self.keyway {
             None => self.radius(),
@@ -123,8 +124,8 @@ impl Bore {
         }
     }
 
-    /// Minimum base radius with a sufficient wall around the bore, m. Around a bore without a keyway, the wall is 1 mm. Outside a keyway, the wall
-    /// is 3 mm, or half the depth of the keyway if this is more.
+    /// Minimum base radius with a sufficient wall around the bore, m. Around a bore without a keyway, the wall is 1 mm. Outside a keyway,
+    /// the wall is 3 mm, or half the depth of the keyway if this is more.
     pub fn least_base_radius(&self) -> f64 {
         let wall = |key: Keyway| KEYED_WALL.max(0.5 * key.depth);
         self.reach() + self.keyway.map_or(WALL, wall)
@@ -136,7 +137,8 @@ impl Bore {
         (self.radius() + HUB * self.diameter).max(self.least_base_radius())
     }
 
-    /// Distance of the edge of the bore from the centre, m, in the direction `angle` from +x, rad. Every ray meets the edge once.
+    /// Distance of the edge of the bore from the centre, m, in the direction `angle` from +x, rad. Every ray from the centre intersects the
+    /// edge once.
     pub fn edge(&self, angle: f64) -> f64 {
         let Some(key) = self.keyway else {
             return self.radius();
@@ -144,7 +146,7 @@ impl Bore {
         let (sin, cos) = libm::sincos(angle);
         let (half, top) = (0.5 * key.width, self.radius() + key.depth);
         let [top_corner, foot] = self.corner_angles(key);
-        // Angle from +y, equal on both sides.
+        // Magnitude of the angle from +y. The edge is symmetric about the y axis.
         let aside = libm::atan2(cos.abs(), sin);
         if aside <= top_corner {
             top / sin
@@ -155,17 +157,18 @@ impl Bore {
         }
     }
 
-    /// Edge of the bore, counter-clockwise: vertices x, y (m) and the bulge of the following segment, tan(¼ of its arc); 0 for a straight segment.
+    /// Edge of the bore, counter-clockwise. Each element contains a vertex x, y (m) and the bulge of the segment that follows it. The bulge
+    /// is tan(¼ of the arc angle), and 0 for a straight segment.
     pub fn outline(&self) -> Vec<[f64; 3]> {
         let r = self.radius();
         let Some(key) = self.keyway else {
-            // Two half circles.
+            // Two semicircles.
             return vec![[r, 0.0, 1.0], [-r, 0.0, 1.0]];
         };
         let (half, top) = (0.5 * key.width, r + key.depth);
         let foot = (r * r - half * half).sqrt();
         let [_, aside] = self.corner_angles(key);
-        // The round part as two arcs: from the left foot of the keyway to the lowest point, and from there to the right foot.
+        // The circular part of the edge consists of two arcs that meet at the lowest point.
         let quarter = 0.25 * (std::f64::consts::PI - aside);
         vec![
             [half, foot, 0.0],
@@ -184,7 +187,8 @@ impl Bore {
         angles.into_iter().flatten().flat_map(both).collect()
     }
 
-    /// Angles at the centre, rad, from the middle of the keyway to its outer corner and to its inner corner on the circle of the bore.
+    /// Angles at the centre of the bore, rad, from the middle of the keyway to two corners. The first is an outer corner of the keyway, the
+    /// second an inner corner on the circle of the bore.
     fn corner_angles(&self, key: Keyway) -> [f64; 2] {
         let half = 0.5 * key.width;
         let outer = libm::atan2(half, self.radius() + key.depth);
@@ -206,7 +210,7 @@ mod tests {
             },
         ] {
             for [x, y, _] in bore.outline() {
-                // Beside a corner the edge is continuous.
+                // The edge is continuous on both sides of a corner.
                 for turn in [-1e-9, 1e-9] {
                     let r = bore.edge(y.atan2(x) + turn);
                     assert!((r - x.hypot(y)).abs() < 1e-9, "{x} {y} {r}");

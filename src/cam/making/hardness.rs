@@ -89,7 +89,7 @@ impl Hardness {
         (softest..=hardest).contains(&value).then_some(hardness)
     }
 
-    /// Converts the hardness to HB: linear between the rows of the table, proportional below the first row.
+    /// Converts the hardness to HB. The conversion is linear between the rows of the table, and proportional below its first row.
     pub fn brinell(self) -> f64 {
         let column = self.scale.column();
         let first = CONVERSION[0];

@@ -2,8 +2,9 @@
 
 use serde::Serialize;
 
-/// Maximum pressure of a line contact, relative to the yield strength, at which no point below the surface yields. The maximum shear 0.300 p₀ is then
-/// half of the yield strength (Tresca; Johnson 1985, Contact Mechanics, §6.1).
+/// Maximum pressure of a line contact at which the material does not yield, as a multiple of the yield strength. The maximum shear stress
+/// below the surface is 0.300 p₀, with the maximum pressure p₀. The material yields where it reaches half of the yield strength (Tresca;
+/// Johnson 1985, Contact Mechanics, §6.1).
 const FIRST_YIELD: f64 = 0.5 / 0.300;
 
 /// Elastic constants of one body.
@@ -11,7 +12,7 @@ const FIRST_YIELD: f64 = 0.5 / 0.300;
 /// ```
 /// use gaitcam::dynamics::hertz::{Material, STEEL, modulus};
 ///
-/// // Of two equal bodies: E/(1 − ν²)/2 … the reduced modulus of steel on steel is half of a rigid partner's.
+/// // The reduced modulus of two equal bodies is E/(1 − ν²)/2, half of the value for a rigid second body.
 /// let rigid = Material { young: f64::INFINITY, poisson: 0.0 };
 /// assert!((modulus(STEEL, rigid) / modulus(STEEL, STEEL) - 2.0).abs() < 1e-12);
 /// ```
@@ -24,19 +25,20 @@ pub struct Material {
 }
 
 impl Material {
-    /// Share (1 − ν²)/E of the body in the compliance 1/E* of a contact, 1/Pa.
+    /// Contribution (1 − ν²)/E of the body to the compliance 1/E* of a contact, 1/Pa.
     pub fn compliance(self) -> f64 {
         (1.0 - self.poisson * self.poisson) / self.young
     }
 }
 
-/// Steel: 206.8 GPa, 0.3 (theory §10).
+/// Steel, with Young's modulus 206.8 GPa and Poisson's ratio 0.3 (theory §10).
 pub const STEEL: Material = Material {
     young: 206.8e9,
     poisson: 0.3,
 };
 
-/// Materials with known constants: typical values of the grade in brackets, quoted from memory of the named standards and data sheets.
+/// Built-in materials. Their constants are typical values of the grade in brackets, quoted from memory of the named standards and data
+/// sheets.
 ///
 /// ```
 /// use gaitcam::cam::Stock;
@@ -70,20 +72,20 @@ pub enum Stock {
 }
 
 impl Stock {
-    /// All materials with known constants.
+    /// All built-in materials.
     pub const ALL: &'static [Stock] = <Stock as strum::VariantArray>::VARIANTS;
 
-    /// Name in a scene file.
+    /// Name of the material in a scene file.
     pub fn name(self) -> &'static str {
         self.into()
     }
 
-    /// The material of this name, if it is known.
+    /// The built-in material with this name in a scene file; `None` for another name.
     pub fn named(name: &str) -> Option<Stock> {
         name.trim().to_ascii_lowercase().parse().ok()
     }
 
-    /// Young's modulus, Pa; Poisson's ratio; yield strength, Pa.
+    /// Constants of the material: Young's modulus, Pa, Poisson's ratio, and yield strength, Pa.
     #[rustfmt::skip]
     fn constants(self) -> [f64; 3] {
         match self {
@@ -111,7 +113,7 @@ impl Stock {
     }
 }
 
-/// Material constants given in a scene; missing ones are those of steel.
+/// Material constants given in a scene. A missing elastic constant is that of the built-in material `stock`, or of steel without it.
 ///
 /// ```
 /// use gaitcam::cam::StatedMaterial;
@@ -121,7 +123,7 @@ impl Stock {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct StatedMaterial {
-    /// The known material whose constants are used for values that are not stated.
+    /// The built-in material whose constants are used for values that are not stated; `None` for steel.
     pub stock: Option<Stock>,
     /// Stated Young's modulus, Pa.
     pub young: Option<f64>,
@@ -132,7 +134,7 @@ pub struct StatedMaterial {
 }
 
 impl StatedMaterial {
-    /// Young's modulus and Poisson's ratio, stated or of the known material.
+    /// Young's modulus and Poisson's ratio. Values that are not stated are those of the built-in material, or of steel without it.
     pub fn material(&self) -> Material {
         let usual = self.stock.map_or(STEEL, Stock::material);
         Material {
@@ -141,7 +143,8 @@ impl StatedMaterial {
         }
     }
 
-    /// Allowable contact pressure, Pa; `None` if neither it nor a known material is stated.
+    /// Allowable contact pressure, Pa. If it is not stated, it is that of the built-in material. `None` if there is no such material, or if
+    /// its Young's modulus is replaced by a stated value.
     pub fn allowable_pressure(&self) -> Option<f64> {
         let usual = || self.stock.filter(|_| self.young.is_none());
         let usual = || usual().map(Stock::allowable_pressure);

@@ -21,12 +21,12 @@ pub use material::{Material, STEEL, StatedMaterial, Stock};
 pub struct Making {
     /// Designation of the material; `None` for steel.
     pub material: Option<String>,
-    /// Constants of the material; missing ones are those of steel.
+    /// Stated constants of the material. Missing elastic constants are those of a built-in material or of steel.
     pub stated: StatedMaterial,
     /// Hardness of the cam's surface.
     pub hardness: Option<Hardness>,
-    /// Arithmetical mean roughness Ra of the profile.
+    /// Arithmetical mean roughness Ra of the profile, m.
     pub roughness: Option<f64>,
-    /// Half width of the tolerance on the profile.
+    /// Half width of the tolerance on the profile, m.
     pub tolerance: Option<f64>,
 }

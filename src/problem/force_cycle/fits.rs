@@ -9,7 +9,7 @@ use crate::drive::Drive;
 use crate::error::Result;
 use crate::problem::machine::Scaling;
 
-/// Key of a fit to a cycle of force.
+/// Key of a cached fit to a cycle of force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FitKey {
     /// Scaling of the cycle to the target.
@@ -20,19 +20,20 @@ pub struct FitKey {
     pub degree: usize,
 }
 
-/// Basis functions of the law, objective of the program, and the part of the objective that measures the force error.
+/// Fit to the force with a number of spans: basis functions of the law, objective of the program, and the term of the objective for the
+/// force error.
 pub type Objective = (Basis, Quadratic, Quadratic);
 
 /// Cached fits to one cycle of force.
 #[derive(Debug, Default)]
 pub struct Fits {
     objectives: Kept<Arc<(FitKey, usize, Objective)>>,
-    /// Minimum numbers of spans. The key contains the required RMS force error, N, and the smallest number tried.
+    /// Minimum numbers of spans. The second element contains the required RMS force error, N, and the lower bound of the search.
     spans: Kept<(FitKey, [f64; 2], usize)>,
 }
 
 impl Fits {
-    /// Objective for a number of spans: the cached one, or the result of `find`.
+    /// Objective for a number of spans. It is taken from the cache or computed by `find`.
     ///
     /// # Errors
     ///
@@ -49,7 +50,8 @@ impl Fits {
         found.map(|found| found.2.clone())
     }
 
-    /// Minimum number of spans for an accuracy, N RMS, starting at `least`: the cached one, or the result of `find`.
+    /// Minimum number of spans, at least `least`, for an RMS force error of at most `accuracy`, N. It is taken from the cache or computed
+    /// by `find`.
     ///
     /// # Errors
     ///

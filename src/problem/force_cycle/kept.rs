@@ -1,11 +1,11 @@
-//! Cache of a few results.
+//! Cache of a limited number of results.
 
 use std::sync::Mutex;
 
-/// Maximum number of cached results. A further result removes all earlier ones.
+/// Maximum number of cached results. Before a further result is added, all earlier results are removed.
 const MOST: usize = 64;
 
-/// Cached results. Each result contains its parameters.
+/// Cache. Each entry contains a result and the parameters from which it was computed.
 #[derive(Debug)]
 pub struct Kept<V>(Mutex<Vec<V>>);
 

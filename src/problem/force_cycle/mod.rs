@@ -25,7 +25,7 @@ use samples::Samples;
 /// Maximum degree of least-squares projections. With a higher degree, the rounding errors are too large.
 pub const HIGHEST_PROJECTED: usize = 9;
 
-/// One cycle of a force, shared by the problems that scale or shift it.
+/// One cycle of a force. Problems that scale or shift the force share it.
 #[derive(Debug)]
 pub struct ForceCycle {
     samples: Samples,
@@ -39,12 +39,12 @@ pub struct ForceCycle {
     pub fits: Fits,
 }
 
-/// Least-squares approximation of a force by a piecewise polynomial of one degree with given breaks.
+/// Least-squares approximation of a force by polynomials of equal degree between given breaks.
 #[derive(Debug)]
 pub struct Projection {
     breaks: Vec<f64>,
     degree: usize,
-    /// Values at the nodes of [`Cells::nearest`], N.
+    /// Values of the approximation at the nodes of [`Cells::nearest`], N.
     pub values: Vec<f64>,
     /// Integral over the turn of the squared difference between force and approximation, N² rad.
     rest: OnceLock<f64>,
@@ -59,7 +59,7 @@ impl Projection {
         let at_nodes = DMatrix::from_fn(count, count, |q, k| bernstein::eval(&unit(k), rule[q].0));
         let pieces = self.values.len() / count;
         let values = DMatrix::from_column_slice(count, pieces, &self.values);
-        // Bernstein polynomials up to degree 9 are independent at the nodes.
+        // The Bernstein polynomials up to degree 9 are linearly independent at the nodes, so the system can be solved.
         let coefficients = at_nodes.lu().solve(&values).unwrap_or(values);
         let coefficients = coefficients.as_slice().to_vec();
         PiecewisePoly::new(self.breaks.clone(), self.degree, coefficients)
@@ -97,8 +97,8 @@ impl ForceCycle {
         }
     }
 
-    /// Creates a cycle whose cubics between the samples have the given slopes, N per sample. The number of slopes is the number of samples plus
-    /// one.
+    /// Creates a cycle whose cubics between the samples have the given slopes, N per sample. The number of slopes is the number of samples
+    /// plus one.
     pub fn with_slopes(curve: impl Into<Arc<ForceCurve>>, slopes: Vec<f64>) -> ForceCycle {
         let out = ForceCycle::new(curve);
         let cells = Arc::new(cells(out.curve(), slopes));
@@ -113,7 +113,7 @@ impl ForceCycle {
         self.samples.curve()
     }
 
-    /// The curve from which the cycle was created: a recording, a file or a curve of the caller. `None` for a load model.
+    /// Curve from which the cycle was created, such as a recording or a file. `None` for a load model.
     pub fn given(&self) -> Option<&Arc<ForceCurve>> {
         self.samples.as_given()
     }
@@ -142,7 +142,7 @@ impl ForceCycle {
         self.mean_square.get_or_init(about_mean) + (force - mean).powi(2)
     }
 
-    /// Fourier series of the cycle, computed once. It also caches the laws that follow from its first harmonics, and their force errors.
+    /// Fourier series of the cycle, computed once. It also caches laws with the first harmonics, and the force errors of these laws.
     pub fn series(&self) -> &Series {
         self.series.get_or_init(|| match self.samples.series() {
             Some(force) => Series::finite(force.mean_n(), force.waves()),
@@ -150,8 +150,8 @@ impl ForceCycle {
         })
     }
 
-    /// Root mean square and maximum of the force without its mean and its first `count` harmonics, N, computed once. For a finite series they are
-    /// computed from the other harmonics, otherwise from the cubics.
+    /// RMS and maximum of the force after its mean and its first `count` harmonics are removed, N, computed once. For a finite series, they
+    /// are computed from the remaining harmonics. Otherwise, they are computed from the cubics between the samples.
     pub fn error_of_harmonics(&self, count: usize) -> [f64; 2] {
         let series = self.series();
         *series.error(count).get_or_init(|| {
@@ -164,7 +164,8 @@ impl ForceCycle {
         })
     }
 
-    /// Least-squares approximation of the force by polynomials between the breaks, computed once. The degree is at most [`HIGHEST_PROJECTED`].
+    /// Least-squares approximation of the force by polynomials between the breaks, computed once. `degree` is at most
+    /// [`HIGHEST_PROJECTED`].
     pub fn projection(&self, breaks: &[f64], degree: usize) -> Arc<Projection> {
         let is_same = |own: &Arc<Projection>| own.degree == degree && own.breaks == breaks;
         let found = self.projections.get(is_same, || {
@@ -178,8 +179,9 @@ impl ForceCycle {
         found.unwrap_or_else(|never| match never {})
     }
 
-    /// Integral over the turn of the squared difference between the force and a piecewise polynomial, N² rad. It is the sum of two parts: the
-    /// difference between the polynomial and the least-squares approximation, and the residual of the approximation.
+    /// Integral over the turn of the squared difference between the force and a piecewise polynomial, N² rad. It is the sum of two
+    /// integrals. The first contains the difference between the polynomial and the least-squares approximation of the force. The second
+    /// contains the residual of this approximation.
     pub fn square_distance(&self, own: &PiecewisePoly) -> f64 {
         if own.degree() > HIGHEST_PROJECTED {
             return self.cells().square_distance(own);
@@ -202,7 +204,7 @@ impl ForceCycle {
     }
 }
 
-/// Cubics between the samples of a force, N, with the given slopes, N per sample.
+/// Force, N, as cubic polynomials between its samples. `slopes` are the slopes at the samples, N per sample.
 pub fn cells(force: &ForceCurve, slopes: Vec<f64>) -> Cells {
     let f = &force.force_n;
     let mut ends = Vec::with_capacity(f.len() + 1);
@@ -211,7 +213,7 @@ pub fn cells(force: &ForceCurve, slopes: Vec<f64>) -> Cells {
     Cells::new(ends, slopes, TAU)
 }
 
-/// Cycle that starts at a phase of the given cycle, rad. It is resampled, and its mean force is preserved.
+/// Copy of a cycle that starts at the phase `phase`, rad. It is resampled, and its mean force is preserved.
 pub fn begun_at(curve: &ForceCurve, phase: f64) -> ForceCurve {
     let begun = curve.begun_at(phase);
     let shift = curve.mean_n() - begun.mean_n();

@@ -1,4 +1,4 @@
-//! A harmonic law without its mean. Its torque and contact pressure are products and quotients of sums of harmonics.
+//! A harmonic law without its mean. Its torque is a product and its contact pressure a quotient of sums of harmonics.
 
 use std::f64::consts::TAU;
 
@@ -6,47 +6,47 @@ use crate::drive::Drive;
 use crate::law::{Law, weighted};
 use crate::poly::{amplitudes, harmonic_extremes, harmonic_sums, harmonic_values};
 
-/// Maximum number of Newton steps to a maximum; three or four steps are usually sufficient.
+/// Maximum number of Newton steps in the search for a maximum. Usually, three or four steps are sufficient.
 const STEPS: usize = 12;
 /// Step of the angle, rad, below which the Newton iteration ends. A parabola then gives the value at the maximum.
 const FLAT: f64 = 1e-5;
-/// Maximum relative difference between a local maximum on the grid and the highest one for which the local maximum is refined.
+/// Relative difference from the highest maximum on the grid up to which a local maximum is refined.
 const NEAR: f64 = 0.1;
 
 /// Pair of minimum and maximum.
 type Range = [f64; 2];
 
-/// A harmonic law, with its ranges and the harmonics of its force.
+/// A harmonic law, with its extremes and the harmonics of its force.
 #[derive(Debug)]
 pub struct Shape {
     /// The law, with zero mean.
     pub law: Law,
-    /// Minimum and maximum of s, v, a and j.
+    /// Minimum and maximum of lift s, velocity v, acceleration a and jerk j, as derivatives with respect to the cam angle.
     pub svaj: [Range; 4],
     /// Minimum and maximum of the alternating force, N.
     pub force_range: Range,
-    /// Minimum of s + a, m.
+    /// Minimum of lift plus acceleration, s + a, m. It determines the minimum radius of curvature under a flat face.
     pub least_bent: f64,
-    /// Minimum and maximum of the torque F·v, N·m, where F includes the mean force.
+    /// Minimum and maximum of the torque F·v, N·m. The force F includes its mean.
     pub torque_range: Range,
     pub torque_mean_and_rms: [f64; 2],
     /// Harmonics of the alternating force as (cosine, sine), N.
     force: Vec<(f64, f64)>,
-    /// Harmonics of s + a as (cosine, sine).
+    /// Harmonics of s + a as (cosine, sine), m.
     bent: Vec<(f64, f64)>,
     /// Alternating force and s + a at equal steps of the angle, at least 16 per period of the highest harmonic.
     grid: Vec<(f64, f64)>,
 }
 
 impl Shape {
-    /// Law for which a drive produces a force with the given mean and harmonics, N; `None` at resonance.
+    /// Law with which a drive produces a force of the given mean and harmonics, N; `None` at resonance.
     pub fn of(mean: f64, force: &[(f64, f64)], drive: &Drive) -> Option<Shape> {
         let lift = (1..).zip(force).map(|(n, wave)| drive.lift_of(n, *wave));
         let lift: Vec<(f64, f64)> = lift.collect::<Option<_>>()?;
         let velocity = weighted(&lift, [0.0, 1.0, 0.0, 0.0]);
         let bent = weighted(&lift, [1.0, 0.0, 1.0, 0.0]);
         let [forces, velocities, bends] = [force, &velocity, &bent].map(harmonic_values);
-        // F·v has twice as many harmonics as F: the grid resolves them and those of their squares.
+        // F·v has twice as many harmonics as F. The grid resolves these harmonics and the harmonics of their squares.
         let torques = forces.iter().zip(velocities);
         let torques: Vec<f64> = torques.map(|(f, v)| (mean + f) * v).collect();
         let spectrum = amplitudes(&torques);
@@ -70,7 +70,7 @@ impl Shape {
         })
     }
 
-    /// Maximum over the turn of the quotient (`mean` + `scale` · force) / (`radius` + `factor` · (s + a)), at least 0.
+    /// Maximum over the turn of (`mean` + `scale` · f) / (`radius` + `factor` · (s + a)), at least 0. Here f is the alternating force.
     pub fn highest_quotient(&self, [mean, scale]: [f64; 2], [radius, factor]: [f64; 2]) -> f64 {
         let quotient =
             |(force, bent): &(f64, f64)| (mean + scale * force) / (radius + factor * bent);
@@ -85,7 +85,7 @@ impl Shape {
             }
             let (before, after) = (quotients[(i + n - 1) % n], quotients[(i + 1) % n]);
             if here >= before && here >= after {
-                // Maximum of the parabola through the three values.
+                // Maximum of the parabola through the values at three neighbouring grid points.
                 let bend = before - 2.0 * here + after;
                 let off = if bend < 0.0 {
                     0.5 * (before - after) / bend
@@ -99,7 +99,7 @@ impl Shape {
         most
     }
 
-    /// Value of the quotient at the local maximum nearest to an angle, rad, by Newton's method.
+    /// Local maximum of the quotient of [`Shape::highest_quotient`] near an angle, rad. It is found by Newton's method.
     fn crest(&self, near: f64, [mean, scale]: [f64; 2], [radius, factor]: [f64; 2]) -> f64 {
         let mut at = near;
         let mut most = f64::NEG_INFINITY;
@@ -114,7 +114,7 @@ impl Shape {
                 break;
             }
             if step.abs() < FLAT {
-                // The remaining step changes the value by the rest of a parabola.
+                // The value at the maximum is extrapolated by a parabola over the remaining step.
                 return most.max(f / g + 0.5 * step * slope / (g * g));
             }
             at += step;

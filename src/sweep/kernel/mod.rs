@@ -1,9 +1,10 @@
 //! Computation of rows from a batch of parameters. It has no side effects and does not depend on the number of threads.
 //!
-//! Keys with words determine the structure of a scene. The scene of each combination of words is read once per batch, and the numbers of each row are
-//! then set directly. A harmonic law that satisfies its limits is computed in closed form. All other rows are designed like a single scene.
+//! Keys with words determine the structure of a scene. The scene of each combination of words is read once per batch, and the numbers of
+//! each row are then set directly. A harmonic law that satisfies its limits is computed in closed form. All other rows are computed like a
+//! single design.
 //!
-//! Forces are cached together with the results that are computed from them. A grid with few step frequencies is therefore faster than a sample.
+//! Forces are cached with the results that are computed from them. A grid with few step frequencies is therefore faster than a sample.
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::{Arc, RwLock};
@@ -24,32 +25,33 @@ use crate::synth::{Search, closed_form, design};
 
 /// Clock with an arbitrary zero, which returns the time in s.
 pub type Clock<'a> = &'a (dyn Fn() -> f64 + Sync);
-/// Function that returns the time limit of a row that starts now.
+/// Function that returns the time limit of a row that starts at the time of the call.
 pub type Halts<'a> = &'a (dyn Fn() -> Halt + Sync);
 
-/// Maximum number of cached forces. A further force removes all earlier ones.
+/// Maximum number of cached forces. Before a further force is added, all earlier forces are removed.
 const KEPT_FORCES: usize = 1024;
-/// Computes the rows of batches.
+/// Computes the rows of batches, with a cache of forces.
 pub struct Kernel<'a> {
     scenes: &'a [NamedScene],
     keys: Vec<Key>,
     files: &'a Files,
     halts: Halts<'a>,
     clock: Option<Clock<'a>>,
-    /// Whether a numeric key of the force is varied, so that one recording gives several forces.
+    /// Whether a numeric key of the section `gait` is varied. One recording then gives several forces.
     varies_gait: bool,
     cycles: RwLock<BTreeMap<CycleName, Result<Arc<ForceCycle>>>>,
 }
 
-/// Key of a cached force: its source, and the bits of its step frequency.
+/// Key of a cached force. It consists of the source of the force and the bits of the step frequency.
 type CycleName = (Arc<str>, u64);
 
-/// Scene for one combination of words.
+/// Scene for one combination of words, with its numbers.
 #[derive(Default)]
 struct Base {
-    /// The scene with the numbers of its first row. `None` if these numbers are invalid; the scene must then be read for each row.
+    /// The scene with the numbers of one of its rows. `None` if the numbers of the first row are invalid. The scene must then be read for
+    /// each row.
     scene: Option<Scene>,
-    /// Source of the force; `None` if it depends on the numbers of the row.
+    /// Text that identifies the source of the force; `None` if the force depends on numbers of the row.
     source: Option<Arc<str>>,
 }
 
@@ -74,7 +76,7 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// Varied keys, in the order of the columns of a batch.
+    /// Varied keys in the order of the columns of a batch.
     pub fn keys(&self) -> &[Key] {
         &self.keys
     }
@@ -88,7 +90,7 @@ impl<'a> Kernel<'a> {
         self.clock.map_or(0.0, |clock| clock())
     }
 
-    /// Computes all rows of a batch. For an invalid scene, the row contains the error. `None` if `stop` ended the computation between two rows.
+    /// Computes all rows of a batch. For an invalid scene, the row contains the error. `None` if `stop` returned true before a row.
     pub fn run(&self, batch: &Batch, stop: &dyn Fn() -> bool) -> Option<Vec<Row>> {
         let mut results = Vec::with_capacity(batch.len());
         let mut bases: Vec<Base> = Vec::new();
@@ -183,7 +185,7 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// Sets the numbers of a row in a scene. Returns `false` if the scene must be read again because of one of the numbers.
+    /// Sets the numbers of a row in a scene. Returns `false` if a number cannot be set directly. The scene must then be read again.
     fn set_numbers(&self, batch: &Batch, row: usize, scene: &mut Scene) -> bool {
         for (key, column) in self.keys.iter().zip(&batch.columns) {
             if let Column::Numbers(x) = column
@@ -195,7 +197,7 @@ impl<'a> Kernel<'a> {
         true
     }
 
-    /// Computes the row of a scene, in closed form if possible.
+    /// Computes the row of a scene, if possible in closed form.
     fn designed_row(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Row {
         let problem = match self.problem(index, scene, source) {
             Ok(problem) => problem,
@@ -205,7 +207,7 @@ impl<'a> Kernel<'a> {
             return Row::spectral(&figures, problem.target.as_ref());
         }
         match design(&problem, &Search::until((self.halts)())) {
-            // A result that a time limit ended early differs from run to run.
+            // A search that its time limit ended early has no reproducible result, so the row contains an error.
             Ok(design) if design.out_of_time => {
                 Row::error(Error::from(SweepError::OutOfTime).to_string())
             }
@@ -214,7 +216,7 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// The problem of a scene. Its force is taken from the cache.
+    /// Resolves the problem of a scene. The force of the problem is taken from the cache.
     fn problem(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Result<Problem> {
         let Some(gait) = &scene.gait else {
             return Problem::of_multiple(scene, None);
@@ -228,7 +230,7 @@ impl<'a> Kernel<'a> {
         Problem::of_multiple(scene, Some((&cycle, times)))
     }
 
-    /// The cached force of a scene. A force that is proportional to the body weight is computed for 1 N.
+    /// Force of a scene from the cache. A force that is proportional to the body weight is computed for a weight of 1 N.
     fn cycle(
         &self,
         index: usize,
@@ -258,7 +260,7 @@ impl<'a> Kernel<'a> {
     }
 }
 
-/// Row of a scene for which no design exists, because the scene is infeasible or invalid.
+/// Row of a scene for which no cam was designed, because the scene is infeasible or invalid.
 fn refused(why: &Error) -> Row {
     let row = Row::error(why.to_string());
     if !why.is_answer() {
@@ -271,7 +273,8 @@ fn refused(why: &Error) -> Row {
     }
 }
 
-/// Force of a load model or of load factors in the scene. If the force is proportional to the body weight, it is computed for 1 N.
+/// Force of a load model or of load factors in the scene. If the force is proportional to the body weight, it is computed for a weight of 1
+/// N.
 fn model_cycle(gait: &Gait) -> Result<ForceCycle> {
     if !is_multiple(gait) {
         let force = gait.model_force()?.ok_or(SweepError::NoForceError)?;
@@ -284,12 +287,13 @@ fn model_cycle(gait: &Gait) -> Result<ForceCycle> {
     Ok(ForceCycle::new(force))
 }
 
-/// Whether the force is proportional to the body weight: it does not come from a recording and has a single step frequency.
+/// Whether the force is proportional to the body weight. This is the case if it does not come from a recording and has a single step
+/// frequency.
 fn is_multiple(gait: &Gait) -> bool {
     !gait.is_recording() && gait.step_frequencies.is_none()
 }
 
-/// Text that identifies the source of the force: the recording with its options, or the load model and the feet.
+/// Text that identifies the source of the force. It describes the recording with its options, or the load model and the feet.
 fn source(index: usize, scene: &Scene) -> Arc<str> {
     let Some(gait) = &scene.gait else {
         return Arc::from("");
@@ -301,7 +305,7 @@ fn source(index: usize, scene: &Scene) -> Arc<str> {
     })
 }
 
-/// Result of a computation; a panic becomes an error. Other rows can then still be computed.
+/// Result of a computation. A panic becomes an error, so that other rows can still be computed.
 fn guarded<T>(work: impl FnOnce() -> T) -> std::result::Result<T, String> {
     std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).map_err(|cause| {
         let words = cause.downcast_ref::<String>().map(String::as_str);

@@ -3,7 +3,7 @@ use crate::force::ForceCurve;
 use crate::halt::Halt;
 use crate::sweep::{Method, NUMBERS, Outcome, Plan, Sampling};
 
-/// No files: no row of these tests has a recording.
+/// Empty list of files, because no row of these tests has a recording.
 static NONE: Files = Files::new();
 
 /// Rows of a plan, each from the kernel and from a single synthesis of the same scene.
@@ -31,7 +31,7 @@ fn compared(changes: &[&str], vary: &[&str], count: u64) -> Vec<(Row, Row)> {
             let fast = kernel.row(&batch, row, base);
             let alone = match kernel.read(&batch, row) {
                 Ok(scene) => {
-                    // By a kernel that has found nothing yet.
+                    // This kernel has an empty cache.
                     let other = Kernel::new(&plan, &NONE, &Halt::never, None);
                     other.designed_row(0, &scene, &source(0, &scene))
                 }
@@ -66,7 +66,7 @@ fn equal(pairs: &[(Row, Row)]) {
             if a.is_nan() && b.is_nan() {
                 continue;
             }
-            // Forces count against the mean force: an error that is all rounding has no digits.
+            // Force errors are compared relative to the mean force, because an error that consists of rounding has no significant digits.
             let scale = if k < 7 && k != 1 {
                 alone.numbers[3].abs().max(b.abs())
             } else {
@@ -214,7 +214,8 @@ fn closed_rows_equal_single_syntheses_under_limits_sizes_and_counts() {
     ));
 }
 
-/// Limits on torque, power and pressure are checked with the values of the closed form. The force of one foot is not a finite sum of harmonics.
+/// Limits on torque, power and pressure are checked with the values of the closed form. The force of one foot is not a finite sum of
+/// harmonics.
 #[test]
 fn closed_rows_equal_single_syntheses_under_loads_and_of_single_feet() {
     let loads = compared(
@@ -273,7 +274,7 @@ fn swept_and_single(changes: &[&str], vary: &str) -> (Row, Row) {
     let row = kernel.row(&batch, 0, &mut kernel.base(&batch, 0));
     scene::set(&mut table, vary).unwrap();
     let scene = scene::read(&table).unwrap();
-    // By a kernel that has found nothing yet.
+    // This kernel has an empty cache.
     let other = Kernel::new(&plan, &NONE, &Halt::never, None);
     (row, other.designed_row(0, &scene, &source(0, &scene)))
 }

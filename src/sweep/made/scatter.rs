@@ -1,4 +1,4 @@
-//! A sweep over the manufacturing errors of one design. Row i is the i-th manufactured cam.
+//! A sweep over the manufacturing errors of one design. Row i contains the manufactured cam number i.
 
 use std::ops::Range;
 
@@ -52,7 +52,7 @@ pub const SAMPLE_COLUMNS: [&str; 6] = [
     "force_rms_error_percent",
 ];
 
-/// Computes the manufacturing samples of a design.
+/// Computes the manufacturing samples of a design as rows of a table.
 pub struct Samples {
     scatter: Scatter,
     tolerances: Vec<Tolerance>,
@@ -73,7 +73,7 @@ impl Scattered {
             .collect()
     }
 
-    /// Description of the sweep as JSON data. Descriptions are equal exactly for equal sweeps.
+    /// Description of the sweep as JSON data. Two descriptions are equal if and only if the sweeps are equal.
     pub fn description(&self) -> Value {
         json!({
             "scenes": [{"name": self.scene.name, "text": self.scene.table.to_string()}],
@@ -87,7 +87,7 @@ impl Scattered {
     ///
     /// # Errors
     ///
-    /// Errors of the scene and its force; a scene without a feasible cam.
+    /// The scene or its force is invalid, or the scene has no feasible cam.
     pub(in crate::sweep) fn samples(&self, files: &Files, halt: Halt) -> Result<Samples> {
         let scene = scene::read(&self.scene.table)?;
         let is_recording = scene.gait.as_ref().is_some_and(Gait::is_recording);
@@ -134,7 +134,7 @@ impl Samples {
     }
 }
 
-/// Values of a sample, in the order of [`SAMPLE_COLUMNS`].
+/// Values of a manufacturing sample, in the order of [`SAMPLE_COLUMNS`].
 fn numbers(made: Made) -> [f64; SAMPLE_COLUMNS.len()] {
     [
         made.profile_m,

@@ -1,16 +1,19 @@
 //! Manufacturing scatter of a design: the force errors of cams with random manufacturing errors.
 //!
-//! The force of the manufactured cam differs from the target by
+//! The difference between the force of the manufactured cam and the target is
 //!
 //! ```text
 //! F′ − F* = (F − F*) + (F₀′ − F₀ + kΔ) + c(ω′ − ω)·v + (m′ω′² − mω²)·a + k ε + cω′ ε_θ + m′ω′² ε_θθ
 //! ```
 //!
-//! where Δ is the error of the base radius and ε(θ) the error of the profile. Both are displacements of the follower. For a flat face, the
-//! displacement is that of the face. For a roller, to first order, it is the normal error divided by the cosine of the pressure angle.
+//! F is the force of the design, F* the target, F₀ the force at rest, k the spring rate, c the damping, m the mass and ω the speed. v and a
+//! are the first and second derivative of the lift with respect to the cam angle θ. A prime denotes the value with manufacturing errors. Δ
+//! is the error of the base radius and ε(θ) the error of the profile, with the derivatives ε_θ and ε_θθ. Both errors are displacements of
+//! the follower. For a flat face, the displacement equals the normal error. For a roller, to first order, it is the normal error divided by
+//! the cosine of the pressure angle.
 //!
-//! The difference is linear in a few fixed functions of θ. The mean square force error of a sample is therefore a quadratic form of the mean products
-//! of these functions.
+//! The difference is linear in a few fixed functions of θ. The mean square force error of a sample is therefore a quadratic form in the
+//! coefficients of these functions. Its matrix contains the mean products of the functions.
 
 use std::f64::consts::TAU;
 
@@ -33,14 +36,14 @@ use gaitcam_base::random::{mixed, unit};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
-    /// Error of the profile: a sum of waves with 2 to 12 lobes per turn. The amplitudes decrease with the square of the number of lobes, and their
-    /// sum is at most the tolerance.
+    /// Error of the profile. It is a sum of waves with 2 to 12 lobes per turn, whose amplitudes decrease with the square of the number of
+    /// lobes. The sum of the amplitudes is at most the tolerance.
     Profile,
-    /// Radius of the base circle.
+    /// Error of the base radius.
     BaseRadius,
-    /// Mass moved by the cam.
+    /// Error of the mass that the cam moves.
     Mass,
-    /// Speed of the cam.
+    /// Error of the cam speed.
     Speed,
 }
 
@@ -57,7 +60,7 @@ impl Part {
         }
     }
 
-    /// Whether `name` is the key of the quantity, or the last word of the key.
+    /// Whether `name` is the key of the quantity or the last part of this key.
     fn is_named(self, name: &str) -> bool {
         match self.key() {
             None => name == "profile",
@@ -72,8 +75,8 @@ impl Part {
     }
 }
 
-/// A symmetric tolerance of a quantity. The errors of samples are uniformly distributed within the tolerance. For the profile, the sum of the
-/// amplitudes is distributed from 0 to the half width.
+/// A symmetric tolerance of a quantity. The errors of samples are uniformly distributed within the tolerance. For the profile, the sum of
+/// the amplitudes is uniformly distributed from 0 to the half width.
 ///
 /// ```
 /// use gaitcam::sweep::Tolerance;
@@ -87,24 +90,24 @@ impl Part {
 pub struct Tolerance {
     /// Quantity to which the tolerance belongs.
     pub part: Part,
-    /// Half width of the tolerance in SI units. If `relative` is true, it is a fraction of the value.
+    /// Half width of the tolerance in SI units. If `relative` is true, it is a fraction of the quantity.
     pub half_width: f64,
-    /// Whether the tolerance is relative to the value.
+    /// Whether the tolerance is relative to the value of the quantity.
     pub relative: bool,
 }
 
 /// Numbers of lobes per turn of the profile error.
 const LOBES: std::ops::RangeInclusive<usize> = 2..=12;
-/// Number of fixed functions before those of the lobes: F − F*, 1, v and a.
+/// Number of fixed functions before the functions of the lobes. The fixed functions are F − F*, 1, v and a.
 const FIXED: usize = 4;
 
 impl Tolerance {
-    /// Parses a tolerance such as `profile=0.02 mm`, `base_radius=0.1 mm`, `mass=1 %` or `speed=2 %`. Masses and speeds can also have absolute
-    /// tolerances (`0.5 kg`, `1 rpm`).
+    /// Parses a tolerance such as `profile=0.02 mm`, `base_radius=0.1 mm`, `mass=1 %` or `speed=2 %`. Masses and speeds can also have
+    /// absolute tolerances (`0.5 kg`, `1 rpm`).
     ///
     /// # Errors
     ///
-    /// A name without a tolerance, or a width without its unit.
+    /// The name is not that of a quantity with a tolerance. The half width is negative, or has no unit or a wrong unit.
     pub fn parse(text: &str) -> Result<Tolerance> {
         let (name, value) = text
             .split_once('=')
@@ -145,7 +148,7 @@ impl Tolerance {
 /// use gaitcam::scene;
 /// use gaitcam::synth::synthesise;
 ///
-/// // Without a tolerance a sample is the design.
+/// // With a tolerance of zero, a sample equals the design.
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
 /// let made = Scatter::new(&design)?.sample(&[Tolerance::parse("mass=0 %")?], 3, 10, 1);
@@ -169,14 +172,14 @@ pub struct Made {
     pub force_rms_error_percent: f64,
 }
 
-/// Computes the force errors of manufacturing samples of a design, from precomputed mean products.
+/// Computes the force errors of manufacturing samples of a design. It uses precomputed mean products of functions of the cam angle.
 ///
 /// ```
 /// use gaitcam::sweep::{Scatter, Tolerance};
 /// use gaitcam::scene;
 /// use gaitcam::synth::synthesise;
 ///
-/// // 1 % of a mass of 71.36 kg is 0.7136 kg at most.
+/// // 1 % of a mass of 71.36 kg is at most 0.7136 kg.
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let scatter = Scatter::new(&synthesise(&scene, scene.model_force()?.as_ref())?)?;
 /// let mass = [Tolerance::parse("mass=1 %")?];
@@ -186,7 +189,7 @@ pub struct Made {
 pub struct Scatter {
     drive: Drive,
     mean: f64,
-    /// Mean products of the fixed functions and the functions of the lobes.
+    /// Mean products of all pairs of the fixed functions and the functions of the lobes.
     products: Vec<Vec<f64>>,
 }
 
@@ -195,8 +198,8 @@ impl Scatter {
     ///
     /// # Errors
     ///
-    /// The design has no target force, so that no force error exists. The follower is on an arm, where the effect of a profile error depends on the
-    /// angle.
+    /// The design has no target force and therefore no force error. The follower is on an arm, where the effect of a profile error depends
+    /// on the angle.
     pub fn new(design: &Design) -> Result<Self> {
         let Some(target) = design.target() else {
             return Err(SweepError::NoForceError.into());
@@ -237,7 +240,7 @@ impl Scatter {
         })
     }
 
-    /// Sample `index` (from 0) of `count` samples. The same `seed` gives the same sample.
+    /// Sample with the index `index` (from 0) of `count` samples. Equal values of `seed` give equal samples.
     pub fn sample(&self, tolerances: &[Tolerance], index: u64, count: u64, seed: u64) -> Made {
         let drive = &self.drive;
         let (mut profile, mut radius, mut mass, mut speed) = (0.0, 0.0, 0.0, 0.0);
@@ -308,12 +311,13 @@ pub struct Spread {
     pub quantiles: [f64; 3],
     /// Maximum of the values.
     pub largest: f64,
-    /// Fraction of the values up to the bound `band`; `None` if no bound is given.
+    /// Fraction of the values that do not exceed the bound `band`; `None` if no bound is given.
     pub within: Option<f64>,
 }
 
 impl Spread {
-    /// Statistics of `values`, including the fraction of values up to the bound `band`. `None` if there are no values.
+    /// Statistics of `values`. If `band` is given, they include the fraction of values that do not exceed it. `None` if there are no
+    /// values.
     pub fn of(values: &[f64], band: Option<f64>) -> Option<Spread> {
         let mut sorted = values.to_vec();
         sorted.sort_by(f64::total_cmp);
@@ -367,7 +371,7 @@ mod tests {
             let design = scene::read(&table).unwrap().design().unwrap();
             let made = Scatter::new(&design).unwrap().sample(&[], 0, 1, 1);
             let own = design.force.rms_error_n;
-            // Under a motor the stated error is a sum over 240 rows.
+            // With a motor, the force error of the design is a sum over only 240 angles.
             let rounding = match design.shaft {
                 Some(_) => 2e-7 * design.force.target_mean_n,
                 None => 1e-5 * own,
@@ -386,7 +390,7 @@ mod tests {
         }
     }
 
-    /// A measured point on the contour.
+    /// A measured point without deviation from the profile.
     fn exact(row: usize) -> Deviation {
         let theta = TAU * row as f64 / 90.0;
         let normal = 0.0;
@@ -402,7 +406,7 @@ mod tests {
     fn mass_and_speed_errors_cost_what_their_forces_say() {
         let design = design();
         let scatter = Scatter::new(&design).unwrap();
-        // ΔM adds ΔM·g everywhere and ΔM ω² a; a heavier block misses the mean by ΔM·g.
+        // An additional mass ΔM adds the forces ΔM·g and ΔM ω² a. The mean force then differs from the mean target by ΔM·g.
         let t = [
             Tolerance::parse("mass=10 %").unwrap(),
             Tolerance::parse("speed=5 %").unwrap(),

@@ -1,4 +1,4 @@
-//! A varied key with its values, which are a range of numbers or a list.
+//! A varied key with its values. The values are a range of numbers or a list.
 
 use std::sync::Arc;
 
@@ -19,11 +19,11 @@ use crate::error::{Placed, Result, SweepError};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
-    /// A list of words, whole numbers or paths, as text.
+    /// A list of words, whole numbers or paths, each stored as text.
     Words(Vec<Arc<str>>),
     /// A list of numbers in SI units.
     Numbers(Vec<f64>),
-    /// Numbers at equal steps between a first and a last value, both included.
+    /// Equally spaced numbers from a first to a last value, both included.
     Range {
         /// First value of the range.
         first: f64,
@@ -31,8 +31,8 @@ pub enum Values {
         last: f64,
         /// Number of values; `None` for a range from which values are sampled.
         count: Option<u64>,
-        /// Unit of the values. It is the SI unit for a key with a known unit, otherwise the unit as written. It is empty for whole numbers, to which
-        /// the values are rounded.
+        /// Unit of the values. For a key with a known dimension, it is the SI unit. Otherwise, it is the unit in the text of the range. It
+        /// is empty for whole numbers, and the values are then rounded.
         unit: String,
     },
 }
@@ -42,7 +42,7 @@ pub enum Values {
 pub enum AxisValue {
     /// A number in SI units.
     Number(f64),
-    /// A word as written.
+    /// A word, whole number or path, as in the plan.
     Words(Arc<str>),
 }
 
@@ -74,11 +74,12 @@ impl AxisValue {
 }
 
 impl Axis {
-    /// Parses `KEY=START:STOP:COUNT` or `KEY=A,B,C`. If `sampled` is true, a range has no count.
+    /// Parses `KEY=START:STOP:COUNT` or `KEY=A,B,C`. If `sampled` is true, the form of a range is `KEY=START:STOP`.
     ///
     /// # Errors
     ///
-    /// A missing `=`; an empty list; a count of zero; numbers without the unit of the key.
+    /// The `=` is missing, the list is empty, or a number does not have the unit of the key. The count of a range is missing, zero or
+    /// invalid, or it is given although `sampled` is true.
     pub fn parse(text: &str, sampled: bool) -> Result<Axis> {
         let Some((name, values)) = text.split_once('=') else {
             return Err(SweepError::NoAssignment {
@@ -98,7 +99,7 @@ impl Axis {
     ///
     /// # Errors
     ///
-    /// An empty list; an empty value; a number without its unit.
+    /// The list or a value is empty, or a number does not have the unit of the key.
     pub fn list<'a>(name: &str, values: impl Iterator<Item = &'a str>) -> Result<Axis> {
         let values: Vec<&str> = values.collect();
         if values.is_empty() || values.contains(&"") {
@@ -125,7 +126,7 @@ impl Axis {
         }
     }
 
-    /// Value with the index `i`, from 0, in a grid.
+    /// Value with the index `i`, from 0, of a list or of a range with a count.
     pub fn value(&self, i: u64) -> AxisValue {
         match &self.values {
             Values::Words(list) => AxisValue::Words(list[i as usize].clone()),
@@ -137,16 +138,17 @@ impl Axis {
         }
     }
 
-    /// Sets the first value of the key in the table of a scene.
+    /// Sets the key to its first value in the table of a scene.
     ///
     /// # Errors
     ///
-    /// The scene has a value in place of the section that contains the key.
+    /// The section that contains the key has a single value in the scene, and no keys.
     pub fn begin(&self, table: &mut Table) -> Result<()> {
         self.sampled(0.0).write(&self.key, table)
     }
 
-    /// Value for a fraction u ∈ [0, 1) of the axis. It is a number between the ends of a range, or an element of a list.
+    /// Value at the fraction u ∈ [0, 1) of the axis. It is a number between the first and the last value of a range, or an element of a
+    /// list.
     pub fn sampled(&self, u: f64) -> AxisValue {
         match &self.values {
             Values::Words(list) => AxisValue::Words(list[pick(u, list.len())].clone()),
@@ -155,7 +157,7 @@ impl Axis {
         }
     }
 
-    /// Value after `part` of `whole` equal steps from the first to the last value. It is exact at both ends.
+    /// Value after `part` of `whole` equal steps from the first to the last value. The first and the last value are exact.
     fn between(&self, part: f64, whole: f64) -> AxisValue {
         let Values::Range {
             first, last, unit, ..
@@ -174,7 +176,7 @@ impl Axis {
         })
     }
 
-    /// The values as text, for the comparison of plans.
+    /// Values of the axis as text, for the comparison of plans.
     pub fn text(&self) -> String {
         match &self.values {
             Values::Words(list) => list.join(","),
@@ -196,7 +198,8 @@ impl Axis {
     }
 }
 
-/// Divides a text at its commas. Commas within brackets or quotes are ignored.
+/// Divides the text of a list at its commas. Commas within brackets are ignored. Within brackets, quotes enclose text that may contain
+/// brackets.
 fn parts_of(values: &str) -> Vec<&str> {
     let (mut out, mut begin) = (Vec::new(), 0);
     let (mut depth, mut quote) = (0_usize, None);
@@ -248,7 +251,7 @@ fn range(name: &str, parts: &[&str], sampled: bool) -> Result<Axis> {
     Ok(Axis { key, values })
 }
 
-/// Parses the number of values of a range. The range of a sample has no such number.
+/// Parses the number of values of a range; `None` for a range from which values are sampled.
 fn count(typed: Option<&str>, sampled: bool) -> std::result::Result<Option<u64>, SweepError> {
     match (typed, sampled) {
         (Some(_), true) => Err(SweepError::SampledCount),

@@ -9,7 +9,7 @@ use super::axis::AxisValue;
 pub enum Column {
     /// Numbers in SI units, one for each row.
     Numbers(Vec<f64>),
-    /// Words, whole numbers or paths as written, one for each row.
+    /// Words, whole numbers or paths as text, one for each row.
     Words(Vec<Arc<str>>),
 }
 
@@ -35,18 +35,18 @@ impl Column {
             (Column::Numbers(list), AxisValue::Number(x)) => list.push(x),
             (Column::Words(list), AxisValue::Words(w)) => list.push(w),
             (Column::Words(list), AxisValue::Number(x)) => list.push(Arc::from(format!("{x}"))),
-            // A word among numbers becomes NaN; the reader of the scene then rejects it.
+            // A word in a column of numbers becomes NaN. The scene with this value is then rejected.
             (Column::Numbers(list), AxisValue::Words(_)) => list.push(f64::NAN),
         }
     }
 }
 
-/// Parameters of consecutive rows: the index of the base scene, and one column for each varied key.
+/// Parameters of consecutive rows. Each row has the index of its base scene and a value of each varied key.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Batch {
     /// Index of the base scene of each row.
     pub scene: Vec<u32>,
-    /// Values of the varied keys: one column for each key, in the order of the keys. Each column has as many entries as `scene`.
+    /// Values of the varied keys. There is one column for each key, in the order of the keys. Each column has as many entries as `scene`.
     pub columns: Vec<Column>,
 }
 

@@ -1,4 +1,4 @@
-//! Keys that a sweep varies, and the text of their values in a scene.
+//! Keys that a sweep varies, and their values as text in a scene.
 
 use toml::{Table, Value};
 
@@ -27,9 +27,10 @@ pub struct Key {
 #[derive(Debug, Clone, Copy)]
 struct Number {
     row: &'static keys::Key,
-    /// Index of the list entry, from 0; 0 outside lists.
+    /// Index of the element in the list that is the value of the key, from 0. It is 0 if the value is not a list.
     index: usize,
-    /// Dimension of the numbers. It can depend on the follower: for the stroke, it is an angle for an arm and otherwise a length.
+    /// Dimension of the numbers. It can depend on the follower. For example, the stroke of an arm is an angle, and other strokes are
+    /// lengths.
     dimension: Dimension,
 }
 
@@ -54,8 +55,8 @@ impl Key {
         }
     }
 
-    /// The key with this name in the dimension that fits the units of `values`, and the values in SI units. `None` if the key has no unit, or if a
-    /// value is a word such as `auto`.
+    /// The key with this name and the values in SI units. If the key can have several dimensions, the units of `values` determine the
+    /// dimension. `None` if the key has no unit, or if a value is a word such as `auto`.
     ///
     /// # Errors
     ///
@@ -74,7 +75,7 @@ impl Key {
                 Err(e) => fault = fault.or(Some(e)),
             }
         }
-        // Words such as "auto", "free" and "spread" are left to the reader of the scene.
+        // Words such as "auto", "free" and "spread" are parsed when the scene is read.
         let words = values.iter().any(|v| !starts_a_number(v));
         match fault {
             Some(e) if !words => Err(e.placed(Place::Key(name.to_string()))),
@@ -82,7 +83,7 @@ impl Key {
         }
     }
 
-    /// Numeric keys with this name, one for each dimension that the key can have. Empty if the key has no unit.
+    /// Numeric keys with this name, one for each possible dimension of the key. Empty if the key has no unit.
     fn of_each_dimension(name: &str) -> Vec<Key> {
         let row = keys::find(name).and_then(|row| Some((row, row.index_in(name)?, row.measure()?)));
         let Some((row, index, measure)) = row else {
@@ -110,7 +111,7 @@ impl Key {
         names
     }
 
-    /// The key to which a column of a table belongs.
+    /// The key to which a column of a table belongs. `column` is the name of the column.
     pub fn of_column(column: &str) -> Key {
         let names = (0..=column.len()).filter(|&end| column.is_char_boundary(end));
         names
@@ -124,12 +125,12 @@ impl Key {
         &self.name
     }
 
-    /// Whether the values are numbers in SI units.
+    /// Whether the values of the key are numbers in SI units.
     pub fn is_number(&self) -> bool {
         self.number.is_some()
     }
 
-    /// SI unit as written in scenes; empty for words and ratios.
+    /// SI unit of the values, as written in scenes; empty for words and ratios.
     pub fn unit(&self) -> &'static str {
         self.number.map_or("", |n| n.dimension.si())
     }
@@ -144,14 +145,14 @@ impl Key {
         format!("{}_{}", self.name, unit.replace(' ', "_"))
     }
 
-    /// Sets a number in a scene, in SI units. Returns `false` if the scene must be read again with the number.
+    /// Sets the key to a number in SI units in a scene. Returns `false` if the scene must be read again with this number.
     pub(in crate::sweep) fn set(&self, scene: &mut Scene, value: f64) -> bool {
         self.number.is_some_and(|n| {
             n.row.dimension(scene) == Some(n.dimension) && n.row.set_number(scene, n.index, value)
         })
     }
 
-    /// Sets a number, in SI units, in the table of a scene.
+    /// Sets the key to a number in SI units in the table of a scene.
     ///
     /// # Errors
     ///
@@ -160,7 +161,7 @@ impl Key {
         scene::set(table, &format!("{}={value} {}", self.name, self.unit()))
     }
 
-    /// Sets words in the table of a scene.
+    /// Sets the key to a word, whole number or path in the table of a scene.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! Plan of the scenes of a sweep: base scenes, combined with a list, a grid or a sample of values. Each row depends only on its number.
+//! Plan of a sweep: base scenes, combined with a list, a grid or a sample of values. The scene of each row depends only on the row number.
 
 pub(super) mod axis;
 pub(super) mod batch;
@@ -35,7 +35,8 @@ pub struct NamedScene {
 }
 
 impl NamedScene {
-    /// Creates a named scene from its table. The name is taken from the table, so it does not depend on the computer.
+    /// Creates a named scene from its table. The name is the value of the key `name`, or `cam` without this key. It does not depend on the
+    /// file.
     pub fn of(table: Table) -> NamedScene {
         let name = table.get("name").and_then(|name| name.as_str());
         let name = name.unwrap_or("cam").to_string();
@@ -43,7 +44,7 @@ impl NamedScene {
     }
 }
 
-/// Values of several keys that the user lists row by row.
+/// Values of several keys that are listed row by row.
 ///
 /// ```
 /// use gaitcam::sweep::{Axis, List};
@@ -81,7 +82,7 @@ impl List {
     }
 }
 
-/// Method that combines the values of the axes to rows.
+/// Method that combines the values of the axes into rows.
 ///
 /// ```
 /// use gaitcam::sweep::{Method, Plan, Sampling};
@@ -95,9 +96,9 @@ impl List {
 pub enum Sampling {
     /// All combinations of the values. The last axis varies fastest.
     Grid,
-    /// Sampled combinations of values from all axes.
+    /// Combinations of values that are sampled from all axes.
     Sample {
-        /// Sampling method of the points.
+        /// Method that distributes the sampled points.
         method: Method,
         /// Number of sampled points.
         count: u64,
@@ -106,7 +107,7 @@ pub enum Sampling {
     },
 }
 
-/// Plan of a sweep. Its rows are the combinations of base scenes, rows of the list, and values of the axes. The axes vary fastest.
+/// Plan of a sweep. Its rows are all combinations of base scenes, rows of the list, and combinations of axis values. The axes vary fastest.
 ///
 /// ```
 /// use gaitcam::sweep::{Plan, Sampling};
@@ -120,11 +121,11 @@ pub enum Sampling {
 pub struct Plan {
     /// Base scenes of the sweep.
     pub scenes: Vec<NamedScene>,
-    /// List of values, if given.
+    /// List of values of several keys; `None` without a list.
     pub list: Option<List>,
     /// Varied keys, each with its values.
     pub axes: Vec<Axis>,
-    /// Method that combines the values of the axes to rows.
+    /// Method that combines the values of the axes into rows.
     pub sampling: Sampling,
 }
 
@@ -134,7 +135,8 @@ const TRIED_COMBINATIONS: u128 = 256;
 const TRIED_VALUES: u64 = 64;
 
 impl Plan {
-    /// Creates a plan for one scene. Each element of `vary` is `KEY=START:STOP:COUNT` or `KEY=A,B`. For a sample, a range is `KEY=START:STOP`.
+    /// Creates a plan for one scene. Each element of `vary` is `KEY=START:STOP:COUNT` or `KEY=A,B`. For a sample, a range is
+    /// `KEY=START:STOP`.
     ///
     /// # Errors
     ///
@@ -149,7 +151,7 @@ impl Plan {
         })
     }
 
-    /// Number of rows, or the maximum of the type if the number is larger.
+    /// Number of rows of the plan. If the number exceeds the maximum of `u128`, the result is this maximum.
     pub fn rows(&self) -> u128 {
         let list = self.list.as_ref().map_or(1, |l| u128::from(l.rows()));
         let sampling = match self.sampling {
@@ -175,7 +177,7 @@ impl Plan {
         listed.chain(self.axes.iter())
     }
 
-    /// Parameters of `count` rows, starting with the row `first`.
+    /// Parameters of `count` consecutive rows. `first` is the number of the first row.
     pub fn batch(&self, first: u64, count: usize) -> Batch {
         let mut batch = Batch {
             scene: Vec::with_capacity(count),
@@ -226,12 +228,13 @@ impl Plan {
         batch
     }
 
-    /// Checks that the plan is valid. It must have rows. Each key must be variable and occur only once. Each value must be valid in at least one
-    /// combination with values of the other keys.
+    /// Checks that the plan is valid. It must have rows. Each key must be one that can be varied, and must occur only once. Each value must
+    /// be valid in at least one combination with values of the other keys.
     ///
     /// # Errors
     ///
-    /// The plan has no rows. A key cannot be varied, has no effect, occurs twice, or has a value that no scene accepts.
+    /// The plan has no rows, or the columns of its list have different lengths. A key cannot be varied, has no effect, occurs twice, or has
+    /// a value that no scene accepts. The axes of a sample are missing or too many for the Sobol sequence.
     pub fn validate(&self) -> Result<()> {
         let axes: Vec<&Axis> = self.all_axes().collect();
         if self.rows() == 0 {
@@ -269,9 +272,9 @@ impl Plan {
         Ok(())
     }
 
-    /// Rejects a value of `axis` that is invalid in every tried combination with the other keys. The combinations use every word of a key with
-    /// words, and the first value of a key with numbers. If a value is invalid only in some combinations, the rows of these combinations contain an
-    /// error.
+    /// Rejects a value of `axis` that is invalid in every tried combination with the other keys. The combinations use every word of a key
+    /// with words, and the first value of a key with numbers. If a value is invalid only in some combinations, the rows of these
+    /// combinations contain an error.
     fn try_value(&self, scene: &NamedScene, axis: &Axis, value: &AxisValue) -> Result<()> {
         let others: Vec<&Axis> = self.all_axes().filter(|a| a.key != axis.key).collect();
         let choices: Vec<u64> = others
@@ -299,7 +302,8 @@ impl Plan {
                     None => return Ok(()),
                     Some(error) => fault = Some(error),
                 },
-                // If the keys are only inconsistent, the row has the error: other values may be valid.
+                // Individually valid keys can be inconsistent with each other. The row of such a scene contains the error, and other rows
+                // may be valid.
                 Err(_) if scene::read_keys(&table).is_ok() => return Ok(()),
                 Err(e)
                     if e.place == Place::Key(axis.key.name().to_string())
@@ -319,7 +323,7 @@ impl Plan {
         (self.scenes.len() > 1).then(|| names.collect())
     }
 
-    /// Description of the plan as JSON data, which is stored with its table. Descriptions are equal exactly for equal plans.
+    /// Description of the plan as JSON data, which is stored with its table. Two descriptions are equal if and only if the plans are equal.
     pub fn description(&self) -> Value {
         let scene = |s: &NamedScene| json!({"name": s.name, "text": s.table.to_string()});
         let mut out = json!({"scenes": self.scenes.iter().map(scene).collect::<Value>()});
@@ -348,14 +352,15 @@ impl Plan {
     }
 }
 
-/// Maximum number of rows. It is the limit up to which all integers are exact in 64-bit floating point, in which many programs read row numbers.
+/// Maximum number of rows. Up to this limit, all integers are exact as 64-bit floating-point numbers. Many programs read row numbers as
+/// such numbers.
 const MOST_ROWS: u64 = 1 << 53;
 
-/// Checks the number of rows.
+/// Converts the number of rows, if it does not exceed the maximum.
 ///
 /// # Errors
 ///
-/// The number of rows exceeds the maximum.
+/// The number of rows exceeds 2⁵³.
 pub(super) fn row_count(rows: u128) -> Result<u64> {
     let count = u64::try_from(rows).ok().filter(|n| *n <= MOST_ROWS);
     count.ok_or_else(|| {
@@ -373,7 +378,7 @@ fn trial_values(axis: &Axis) -> Vec<AxisValue> {
         (Values::Words(_) | Values::Numbers(_), Some(n)) => {
             (0..n.min(TRIED_VALUES)).map(|i| axis.value(i)).collect()
         }
-        // Every range of permitted numbers is convex: if both ends are valid, all values between them are valid.
+        // The permitted numbers of each key form an interval. If the first and the last value are valid, all values between them are valid.
         _ => vec![axis.sampled(0.0), axis.sampled(1.0)],
     }
 }

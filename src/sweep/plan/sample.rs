@@ -1,4 +1,4 @@
-//! Evenly distributed points in a cube: Latin hypercube and Sobol sequence. Each point is computed only from its index.
+//! Evenly distributed points in the unit cube: Latin hypercube and Sobol sequence. Each point is computed only from its index.
 
 use gaitcam_base::random::{mixed, unit};
 use serde::{Deserialize, Serialize};
@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// ```
 /// use gaitcam::sweep::Method;
 ///
-/// // Each of ten slices of the axis holds one of ten points.
+/// // Each of ten intervals of the axis contains one of ten points.
 /// let mut slices: Vec<u64> = (0..10).map(|i| (10.0 * Method::Latin.coordinate(i, 10, 0, 1)) as u64).collect();
 /// slices.sort_unstable();
 /// assert_eq!(slices, (0..10).collect::<Vec<u64>>());
@@ -19,14 +19,15 @@ use serde::{Deserialize, Serialize};
 #[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum Method {
-    /// Latin hypercube. Each axis is divided into N equal intervals, and each interval contains exactly one of the N points, at a random position.
+    /// Latin hypercube. Each axis is divided into N equal intervals, and each interval contains exactly one of the N points, at a random
+    /// position.
     #[default]
     Latin,
-    /// Sobol sequence. Its points fill the cube evenly, and further points continue the same sequence.
+    /// Sobol sequence. Its points fill the unit cube evenly. A larger number of points continues the same sequence.
     Sobol,
 }
 
-/// Maximum number of axes of the Sobol sequence.
+/// Maximum number of axes for which the Sobol sequence is available.
 pub const SOBOL_AXES: usize = 21;
 
 impl Method {
@@ -35,7 +36,8 @@ impl Method {
         self.into()
     }
 
-    /// Coordinate of the point `index` on the axis `axis`, in [0, 1). `count` is the number of points. The same `seed` gives the same points.
+    /// Coordinate of the point `index` on the axis `axis`, in [0, 1). `count` is the number of points. Equal values of `seed` give equal
+    /// points.
     pub fn coordinate(self, index: u64, count: u64, axis: usize, seed: u64) -> f64 {
         match self {
             Method::Latin => latin(index, count, axis, seed),
@@ -51,8 +53,8 @@ fn latin(index: u64, count: u64, axis: usize, seed: u64) -> f64 {
     ((slice as f64 + within) / count as f64).min(1.0 - f64::EPSILON / 2.0)
 }
 
-/// Permutation of 0 … count − 1, computed without a table. A Feistel network with four rounds permutes the numbers below the next even power of two.
-/// It is applied again until the result is in the range.
+/// Permutation of 0 … count − 1 that is computed without a table. A Feistel network with four rounds permutes the numbers below the next
+/// power of two with an even exponent. The network is applied again until the result is below `count`.
 fn permuted(index: u64, count: u64, key: u64) -> u64 {
     let bits = 64 - count.saturating_sub(1).leading_zeros();
     let half = bits.div_ceil(2).max(1);
@@ -71,7 +73,8 @@ fn permuted(index: u64, count: u64, key: u64) -> u64 {
     }
 }
 
-/// Degree, coefficients of the primitive polynomial and first direction numbers for the axes 2, 3, … (Joe and Kuo 2008, table new-joe-kuo-6).
+/// Degree, coefficients of the primitive polynomial and first direction numbers for the axes 2, 3, … (Joe and Kuo 2008, table
+/// new-joe-kuo-6).
 const JOE_KUO: [(u32, u32, &[u64]); SOBOL_AXES - 1] = [
     (1, 0, &[1]),
     (2, 1, &[1, 3]),
@@ -95,7 +98,7 @@ const JOE_KUO: [(u32, u32, &[u64]); SOBOL_AXES - 1] = [
     (7, 4, &[1, 3, 7, 13, 13, 15, 69]),
 ];
 
-/// Number of bits of a Sobol coordinate, sufficient for 2⁴⁰ points.
+/// Number of bits of a Sobol coordinate. It is sufficient for 2⁴⁰ points.
 const SOBOL_BITS: u32 = 40;
 
 fn sobol(index: u64, axis: usize) -> f64 {
@@ -163,7 +166,7 @@ mod tests {
 
     #[test]
     fn sobol_begins_as_published() {
-        // Joe and Kuo's own example output for three axes: points 1 to 5 in Gray-code order.
+        // Example output of the program of Joe and Kuo for three axes: points 1 to 5 in Gray-code order.
         let expected = [
             [0.5, 0.5, 0.5],
             [0.75, 0.25, 0.25],

@@ -40,7 +40,7 @@ fn keys_that_cannot_vary_are_named() {
     assert!(fault(&["limits.stroke=-1 mm:2 mm:3"]).contains("not positive"));
     assert!(fault(&["law.family=spline,splin"]).contains("did you mean \"spline\"?"));
     assert!(fault(&["law.degree=3,5", "law.degree=5,7"]).contains("twice"));
-    // A key that only one of the varied kinds has is allowed.
+    // A key is permitted if only one of the varied kinds has it.
     plan(&[
         "drive.kind=moving-axis,fixed-axis",
         "drive.spring_rate=0 N/m:100 N/m:3",

@@ -1,4 +1,4 @@
-//! Tables as CSV. Numbers have the shortest text that is exact when read again, and missing numbers are empty cells.
+//! Tables as CSV. Numbers have the shortest text from which the exact value can be read. Missing numbers are empty cells.
 
 use std::fmt::Write;
 
@@ -43,14 +43,14 @@ impl Records {
     }
 }
 
-/// Appends the shortest text of a number that is exact when read again. The text has an exponent for magnitudes below 1e-5 and from 1e16 on. NaN is
-/// empty.
+/// Appends the shortest text from which the exact number can be read. The text has an exponent for magnitudes below 1e-5 and from 1e16 on.
+/// NaN is empty.
 fn number(out: &mut String, x: f64) {
     if x.is_nan() {
         return;
     }
     if x.is_finite() && x.abs() >= 1e16 {
-        // Without the plus sign that the formatter below writes in the exponent.
+        // The standard format has no plus sign in the exponent, unlike the format below.
         let _ = write!(out, "{x:e}");
         return;
     }

@@ -6,7 +6,7 @@ pub(super) mod results;
 
 pub use gaitcam_base::text::{cell_text, text_cell};
 
-/// Suffixes of column names, each with the unit that it denotes.
+/// Suffixes of column names, each with its unit.
 const UNITS: [(&str, &str); 18] = [
     ("_m_per_s3", "m/s^3"),
     ("_m_per_s2", "m/s^2"),
@@ -32,12 +32,12 @@ fn unit_entry(column: &str) -> Option<(&'static str, &'static str)> {
     UNITS.into_iter().find(|u| column.ends_with(u.0))
 }
 
-/// Unit of a column, from the suffix of its name. It is empty for words, whole numbers and ratios.
+/// Unit that the suffix of a column name denotes; empty for words, whole numbers and ratios.
 pub(crate) fn unit_of(column: &str) -> &'static str {
     unit_entry(column).map_or("", |u| u.1)
 }
 
-/// Name of a column as displayed, with its unit: `limits.stroke, m`.
+/// Name of a column for display, with its unit, such as `limits.stroke, m`.
 pub fn label(column: &str) -> String {
     let (ending, unit) = unit_entry(column).unwrap_or(("", ""));
     let name = column.strip_suffix(ending).unwrap_or(column);

@@ -1,4 +1,4 @@
-//! A table in memory, stored by columns.
+//! A table of a sweep in memory, stored by columns.
 
 use std::collections::HashMap;
 
@@ -17,7 +17,7 @@ use crate::sweep::plan::key::Key;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
-    /// Row numbers in the plan, from 0.
+    /// Row numbers in the plan, counted from 0.
     Rows(Vec<u64>),
     /// Numbers in SI units; NaN if missing.
     Numbers(Vec<f64>),
@@ -57,7 +57,7 @@ pub struct Field {
     pub values: Values,
 }
 
-/// A table, stored by columns.
+/// A table of a sweep, stored by columns.
 ///
 /// ```
 /// use gaitcam::sweep::{Field, Records};
@@ -94,7 +94,7 @@ impl Words {
         let mut known: HashMap<&str, i32> = HashMap::new();
         let mut before: (&str, i32) = ("", -1);
         for word in words {
-            // Adjacent rows mostly have the same word, often the same text in memory.
+            // Adjacent rows usually have the same word, and often share its text in memory.
             if word.is_empty() {
                 out.codes.push(-1);
                 continue;
@@ -144,7 +144,7 @@ impl Field {
         }
     }
 
-    /// Unit of the numbers; empty for words, whole numbers and ratios.
+    /// SI unit of the numbers; empty for words, whole numbers and ratios.
     pub fn unit(&self) -> &'static str {
         match self.values {
             Values::Numbers(_) => unit_of(&self.name),
@@ -154,8 +154,8 @@ impl Field {
 }
 
 impl Records {
-    /// Table of consecutive rows of a sweep over `keys`, starting with the row `first`. It contains no computing times and therefore depends only on
-    /// the plan. `scenes` contains the names of the base scenes if there are several.
+    /// Table of consecutive rows of a sweep over `keys`, starting with the row `first`. It contains no computing times and therefore
+    /// depends only on the plan. `scenes` contains the names of the base scenes; `None` if there is only one.
     pub fn of(
         first: u64,
         keys: &[Key],
@@ -186,7 +186,7 @@ impl Records {
         Records { fields }
     }
 
-    /// The table with a further column for the computing times, s.
+    /// The table with an additional column for the computing times, s.
     #[must_use]
     pub fn with_times(mut self, results: &[Row]) -> Records {
         let times = results.iter().map(|row| row.time_s).collect();
@@ -208,7 +208,7 @@ impl Records {
         Some(&field.values)
     }
 
-    /// Numbers in the column with this name; `None` if there is no such column of numbers.
+    /// Numbers in the column `name`; `None` if no column of numbers has this name.
     pub fn numbers(&self, name: &str) -> Option<&[f64]> {
         match self.column(name)? {
             Values::Numbers(x) => Some(x),
@@ -216,7 +216,7 @@ impl Records {
         }
     }
 
-    /// Words in the column with this name; `None` if there is no such column of words.
+    /// Words in the column `name`; `None` if no column of words has this name.
     pub fn words(&self, name: &str) -> Option<&Words> {
         match self.column(name)? {
             Values::Words(words) => Some(words),

@@ -1,11 +1,12 @@
-//! Result of one scene, as a row of the table.
+//! Result of one scene of a sweep, as a row of the table.
 
 use crate::cam::Verdict;
 use crate::force::Interpretation;
 use crate::problem::Target;
 use crate::synth::{Design, FIGURES, Figures, Tier};
 
-/// Names of the numeric columns, which are those of [`FIGURES`] in SI units. A missing number is NaN here, empty in CSV, and null in Parquet.
+/// Names of the numeric columns, in the order of [`FIGURES`] and in SI units. A missing number is NaN in Rust, empty in CSV, and null in
+/// Parquet.
 pub const NUMBERS: [&str; FIGURES.len()] = {
     let mut names = [""; FIGURES.len()];
     let mut i = 0;
@@ -16,18 +17,19 @@ pub const NUMBERS: [&str; FIGURES.len()] = {
     names
 };
 
-/// Names of the columns of words, which follow the numbers. `outcome` is `built`, `infeasible` or `error`. `tier` is the solution method, `binding`
-/// the active or conflicting limits, and `failed` the violated limits. `warnings` contains the codes of the warnings about the recording.
+/// Names of the columns of words. These columns follow the numeric columns. `outcome` is `built`, `infeasible` or `error`. `tier` is the
+/// solution method, `binding` contains the active or conflicting limits, and `failed` the violated limits. `warnings` contains the codes of
+/// the warnings about the recording.
 pub const WORDS: [&str; 7] = [
     "outcome", "verdict", "tier", "binding", "failed", "error", "warnings",
 ];
 
-/// Numeric columns that have values even if no cam was designed.
+/// Index of the first of three numeric columns that have values even if no cam was designed.
 const TARGET_MEAN: usize = column("target_mean_n");
 const MASS: usize = column("mass_kg");
 const SPEED: usize = column("speed_rad_per_s");
 
-/// Numeric columns that have values only for a design with a target force.
+/// Indices of the numeric columns that have values only for a design with a target force.
 const OF_TARGET: [usize; 4] = [
     column("force_rms_error_n"),
     column("force_rms_error_percent"),
@@ -52,7 +54,7 @@ const fn is_same(a: &[u8], b: &[u8]) -> bool {
     same == a.len() && same == b.len()
 }
 
-/// Name of the last column: the computing time of the row, s. Only this column differs between runs.
+/// Name of the last column, which contains the computing time of the row, s. Other columns do not differ between runs.
 pub const TIME: &str = "time_s";
 
 /// Outcome of the computation of a row.
@@ -69,7 +71,7 @@ pub enum Outcome {
     Built,
     /// No cam was designed, because the limits are infeasible.
     Infeasible,
-    /// No cam was designed, because the scene is invalid.
+    /// No cam was designed, because the scene is invalid or the computation failed, for example at its time limit.
     Error,
 }
 
@@ -80,7 +82,7 @@ impl Outcome {
     }
 }
 
-/// Result of one scene, as a row of the table.
+/// Result of one scene of a sweep, as a row of the table.
 ///
 /// ```
 /// use gaitcam::sweep::{NUMBERS, Outcome, Row};
@@ -100,17 +102,17 @@ pub struct Row {
     pub numbers: [f64; NUMBERS.len()],
     /// Outcome of the design.
     pub outcome: Outcome,
-    /// Verdict on the design; `None` for an invalid scene.
+    /// Verdict on the design; `None` if the outcome is an error.
     pub verdict: Option<Verdict>,
-    /// Method by which the law was computed; `None` without a law.
+    /// Method by which the law was computed; `None` without a designed cam.
     pub tier: Option<Tier>,
     /// Names of the active or conflicting limits, joined by `+`.
     pub binding: String,
     /// Names of the limits that the cam violates, joined by `+`.
     pub failed: String,
-    /// Error of the scene; empty for a valid scene.
+    /// Error because of which no cam was designed; empty without an error.
     pub error: String,
-    /// Codes of the warnings about the recording, joined by `+`.
+    /// Codes of the warnings about the recording, joined by `+`; empty without warnings.
     pub warnings: String,
     /// Computing time of the row, s.
     pub time_s: f64,
@@ -130,7 +132,7 @@ impl Row {
         ]
     }
 
-    /// Row of a scene with an error.
+    /// Row with the message of an error and without results.
     pub fn error(what: String) -> Row {
         Row {
             numbers: [f64::NAN; NUMBERS.len()],
@@ -145,7 +147,7 @@ impl Row {
         }
     }
 
-    /// Row of a harmonic design in closed form that satisfies all limits.
+    /// Row of a harmonic design that was computed in closed form and satisfies all limits.
     pub(crate) fn spectral(figures: &Figures, target: Option<&Target>) -> Row {
         Row {
             numbers: FIGURES.each_ref().map(|f| f.value(figures)),
@@ -157,7 +159,8 @@ impl Row {
         }
     }
 
-    /// Row of a design. For an infeasible scene, the row contains only the values that follow from the requirements.
+    /// Row of a design. For an infeasible scene, the row contains only values that are known without a cam, such as mean target force, mass
+    /// and speed.
     pub fn of(design: &Design) -> Row {
         let mut row = Row::error(String::new());
         let recording = design.target().and_then(|t| t.recording.as_deref());
@@ -188,13 +191,13 @@ impl Row {
     }
 }
 
-/// Codes of the warnings about the recording from which a force was computed, joined by `+`.
+/// Codes of the warnings about a recording, joined by `+`; empty without a recording.
 fn warnings(recording: Option<&Interpretation>) -> String {
     let codes = recording.map(Interpretation::codes);
     codes.unwrap_or_default().join("+")
 }
 
-/// Distinct names, joined by `+`.
+/// Distinct names, joined by `+` in the order of their first occurrence.
 fn joined(names: impl Iterator<Item = String>) -> String {
     let mut list: Vec<String> = Vec::new();
     for name in names {

@@ -1,18 +1,18 @@
-//! Tables of a cover: errors for each number of cams, assignment of walkers to cams, and errors of cross-validation.
+//! Tables on sets of cams for a population: errors for each number of cams, assignment of walkers to cams, and errors of cross-validation.
 
 use gaitcam::cover::{Assigned, Cover, Fold};
 use gaitcam::scene::ErrorMeasure;
 use gaitcam::sweep::{Field, Records};
 
-/// Components of a force error, as they are named in columns: differences in weight, speed and shape.
+/// Names of the components of a force error in column names. The components are due to differences in weight, speed and shape.
 pub const PARTS: [&str; 3] = ["weight", "speed", "shape"];
 
-/// Table column with errors. Its name ends with the unit of the error measure.
+/// Table column with errors. The name of the column is `name` followed by the unit of the error measure.
 fn column(name: &str, error: ErrorMeasure, values: impl Iterator<Item = f64>) -> Field {
     Field::numbers(&format!("{name}_{}", error.suffix()), values.collect())
 }
 
-/// A column of whole numbers.
+/// Table column with whole numbers, such as the number of cams.
 fn counts(name: &str, values: impl Iterator<Item = usize>) -> Field {
     Field::numbers(name, values.map(|count| count as f64).collect())
 }

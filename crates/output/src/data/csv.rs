@@ -18,7 +18,8 @@ const LAW: [&str; 9] = [
     "time_s",
     "speed_rad_per_s",
 ];
-/// Columns that contain a length. If the follower oscillates, the value is an angle and the column has the second name.
+/// Columns with a lift or its derivatives, each with two names. The second name is used for an oscillating follower, whose lift is an
+/// angle.
 const ANGLES: [(&str, &str); 6] = [
     ("s_m", "s_rad"),
     ("v_m_per_rad", "v_rad_per_rad"),
@@ -36,7 +37,7 @@ const PROFILE: [&str; 7] = [
     "rho_m",
     "pressure_angle_rad",
 ];
-/// Columns of `walkers.csv` after the column with the name.
+/// Columns of `walkers.csv` after the column with the walker's name.
 const WALKERS: [&str; 5] = [
     "mass_kg",
     "speed_rad_per_s",
@@ -151,7 +152,7 @@ pub fn profile_columns(synthesis: &Design, rows: usize) -> Columns {
     points_columns(&all)
 }
 
-/// Profile points as CSV with the columns of `profile.csv`. It is used, for example, for the second cam of a conjugate pair.
+/// Profile points as CSV with the columns of `profile.csv`. This function also writes the second cam of a conjugate pair.
 pub fn points(rows: &[ProfilePoint]) -> String {
     text(&points_columns(rows))
 }

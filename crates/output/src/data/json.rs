@@ -171,7 +171,7 @@ fn law(design: &Design) -> Value {
         "degree": design.degree,
         "functions": design.functions,
         "coefficients": design.coefficients,
-        // Phase of the force cycle at cam angle 0.
+        // Phase of the force cycle at cam angle 0, rad.
         "phase_rad": design.problem.phase,
         "stroke_m": law.stroke(),
         "v_max_m_per_rad": real(v_max.value),
@@ -187,9 +187,10 @@ fn law(design: &Design) -> Value {
     out
 }
 
-/// Data of the follower end for which a polydyne cam is designed. The force of the law is the force at this end. Stroke, velocity,
-/// acceleration and jerk of the law are those at the cam. Each miss is a deviation in the flexible simulation: `end_miss` and
-/// `force_miss` for this cam, and `plain_force_miss` for a cam whose lift is the law of the end.
+/// Data of the follower end for which a polydyne cam is designed. The force of the law is the force at this end.
+/// Stroke, velocity, acceleration and jerk of the law are those at the cam. Keys with `miss` contain deviations in the simulation with a
+/// flexible follower. The keys `end_miss_m`, `force_miss_rms_n` and `force_miss_max_n` describe this cam. The key `plain_force_miss_rms_n`
+/// describes a cam whose lift equals the motion of the follower end.
 fn polydyne(end: &End, drive: &Drive) -> Value {
     let newtons = |force: f64| drive.newtons(force);
     json!({

@@ -14,7 +14,7 @@ use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
 const MM: f64 = 1000.0;
-/// Index of the row with the headings, counted from 0.
+/// Index of the row with the headings of the CAM-DAS table, counted from 0.
 const HEADINGS: u32 = 9;
 const FIRST: u32 = 10;
 
@@ -130,7 +130,7 @@ fn cam_sheet(
         sheet.write_with_format(HEADINGS, at(letter), name, &heading)?;
     }
     let (start, length) = law.extent();
-    // One row per degree, or per millimetre of travel.
+    // The table has one row per degree, or per millimetre of travel.
     let step = measures.angle().factor;
     let last = (step * length + 1e-9).floor() as u32;
     for i in 0..=last {
@@ -143,7 +143,7 @@ fn cam_sheet(
         sheet.write(FIRST + i, 0, step * start + f64::from(i))?;
         for (letter, _, value) in columns.clone() {
             let value = value(synthesis, &row);
-            // Excel has no infinity: the radius at a flat point is left empty.
+            // Excel has no infinite numbers. The cell of the radius at a flat point is left empty.
             if value.is_finite() {
                 sheet.write(FIRST + i, at(letter), value)?;
             }
@@ -195,10 +195,10 @@ struct Row {
     lift: f64,
 }
 
-/// A column of the table: its letter in CAM-DAS, the key of its heading, and the function for its values.
+/// A column of the workbook: its letter in CAM-DAS, the message key of its heading, and the function that computes its values.
 type Column = (u8, &'static str, fn(&Design, &Row) -> f64);
 
-/// Columns for all kinds of cam.
+/// Columns of the workbook for all kinds of cam.
 const EVERY: [Column; 9] = [
     (b'B', "sheet-lift", |_, r| r.lift * r.motion.s),
     (b'C', "sheet-velocity", |s, r| {
@@ -261,7 +261,7 @@ fn at(letter: u8) -> u16 {
     u16::from(letter - b'A')
 }
 
-/// Angle from +x, degrees in [0, 360).
+/// Angle from +x to the point (`x`, `y`), degrees in [0, 360).
 fn polar(x: f64, y: f64) -> f64 {
     let angle = libm::atan2(y, x).to_degrees();
     if angle < 0.0 { angle + 360.0 } else { angle }

@@ -1,4 +1,4 @@
-//! Figure of a cover: error as a function of the number of cams.
+//! Figure for sets of cams: force error as a function of the number of cams.
 
 use plotters::style::{Color, RGBAColor};
 
@@ -8,7 +8,7 @@ use crate::plot::palette::{BLUE, GREEN, ORANGE};
 use crate::plot::picture::Picture;
 use gaitcam::wording::Language;
 
-/// Radius of a plotted point, in points. It is half the width of the line of the lower bound.
+/// Radius of a plotted point, in points. The line of the lower bound is twice as wide.
 const DOT: f64 = 4.5;
 
 /// Curve of an error as a function of the number of cams; the curve may be empty.
@@ -33,7 +33,8 @@ pub struct CoverWords<'a> {
     pub number: &'a str,
 }
 
-/// Figure with six curves: lower bound, bounded error, two errors of cross-validation, mean error and maximum error.
+/// Figure with six curves over the number of cams. They are, in this order: lower bound, objective of the optimisation, mean and maximum
+/// error of cross-validation, and mean and maximum error of the designed cams.
 pub fn cover(words: &CoverWords, curves: &[Curve; 6], language: Language) -> Picture {
     let layout = Layout {
         size: (1200, 560),

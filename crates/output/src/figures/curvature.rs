@@ -71,7 +71,7 @@ fn radius(f: &Figure, synthesis: &Design, frame: Frame, words: &Words) -> Drawn 
     for part in rho.chunk_by(|a, b| a.1.signum() == b.1.signum() || a.1.abs() < cap) {
         panel.curve(part, BLUE, 2.2)?;
     }
-    // A limit of 0 only excludes undercut; its line would coincide with the axis.
+    // A limit of 0 only excludes undercut. The line of this limit would coincide with the axis and is not drawn.
     let limits = synthesis.checks.iter();
     for check in limits.filter(|c| c.name == LimitKind::Curvature && c.limit > 0.0) {
         let value = words.length(check.limit);

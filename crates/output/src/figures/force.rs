@@ -263,7 +263,7 @@ fn tolerance_band(synthesis: &Design, desired: &[(f64, f64)]) -> Option<Band> {
     Some((edge(high), edge(low)))
 }
 
-/// Difference of two curves at the same angles.
+/// Difference `curve` − `other` of two curves at the same angles.
 fn apart(curve: &[(f64, f64)], other: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let pairs = curve.iter().zip(other);
     pairs.map(|(c, o)| (c.0, c.1 - o.1)).collect()

@@ -11,11 +11,11 @@ use crate::words;
 
 /// Number of points of the profile and of the force curves.
 const POINTS: usize = 1440;
-/// Maximum deviation in the polar figure, as a fraction of the prime radius.
+/// Maximum length of a drawn deviation in the polar figure, as a fraction of the prime radius.
 const SHOWN: f64 = 0.08;
 
-/// Diagram of the deviations normal to the profile, µm. If the law of the manufactured cam is known, a second diagram contains the forces
-/// of the cam as designed and as manufactured.
+/// Diagram of the deviations normal to the profile, µm. If `made` is given, a second diagram contains the forces of the cam as designed and
+/// as manufactured.
 pub fn diagram(
     design: &Design,
     inspected: &Inspection,

@@ -121,7 +121,7 @@ fn lines<'a>(
     lines
 }
 
-/// The curve; if it covers whole turns, its first value is repeated at the end.
+/// Copy of a curve for drawing. If the curve covers whole turns, its first value is repeated at its end.
 fn whole(curve: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut out = curve.to_vec();
     if let ([first, ..], [.., before, last]) = (curve, curve) {

@@ -13,7 +13,7 @@ use gaitcam::force::Walk;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
-/// Damping ratio of the vibration mode.
+/// Damping ratio of the vibration mode in the figure.
 const DAMPING: f64 = 0.005;
 /// Number of recorded strides that an electronic cam repeats. The figure shows the response to this repeated force.
 const STRIDES: usize = 16;
@@ -48,7 +48,7 @@ pub fn resonance(design: &Design, language: Language) -> Picture {
     resonance_in(design, Layout::ALONE, &words::words(language))
 }
 
-/// Same figure as [`resonance`], in a given layout.
+/// Draws the figure of [`resonance`] with a given layout.
 pub(crate) fn resonance_in(design: &Design, layout: Layout, words: &Words) -> Picture {
     let mut all = Vec::new();
     if let Some((walk, [recorded, cam])) = design.repeated() {

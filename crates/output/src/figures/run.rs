@@ -82,7 +82,7 @@ impl Shown<'_> {
         let apart = self.outcome.model != Model::Rigid || on_shaft;
         let mut rigid = apart.then(|| self.curve(rigid));
         if on_shaft {
-            // At constant speed, the cam passes the same angles at other times.
+            // The rigid model runs at constant speed. It therefore passes each angle at another time than the simulated cam.
             let at = |i: usize| (self.angle(i) - start) / TAU * self.period();
             let points = rigid.iter_mut().flatten().enumerate();
             points.for_each(|(i, point)| point.0 = at(i));

@@ -5,7 +5,7 @@ use gaitcam::units::G;
 
 use super::table::Lines;
 
-/// Mean and standard deviation; `None` for fewer than two values.
+/// Mean and sample standard deviation of `values`; `None` for fewer than two values.
 fn spread(values: &[f64]) -> Option<(f64, f64)> {
     let n = values.len() as f64;
     let mean = values.iter().sum::<f64>() / n;

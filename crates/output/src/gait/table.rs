@@ -312,8 +312,8 @@ impl Lines {
     }
 }
 
-/// Number of loaded columns without clipped forces. The user can select these columns and so exclude the clipped ones. The number is zero
-/// for a C3D file, because a plate may be the sum of several channels.
+/// Number of loaded columns without clipped forces. The user can select these columns and thus exclude the clipped columns. The number is
+/// zero for a C3D file, because a plate may be the sum of several channels.
 fn unclipped(understood: &Interpretation) -> usize {
     if matches!(understood.format, Format::C3d { .. }) {
         return 0;

@@ -80,7 +80,7 @@ fn cells(words: &Messages, row: &TrialRow) -> Vec<String> {
     cells
 }
 
-/// The name, shortened to its end if it is too long. The end distinguishes the files of a folder.
+/// File name in the table. If the name is too long, its beginning is omitted, because the end distinguishes the files of a folder.
 fn shortened(name: &str) -> String {
     let count = name.chars().count();
     if count <= NAME {

@@ -208,7 +208,7 @@ impl<'a, 'c> Panel<'a, 'c> {
 
     /// Draws a curve, clipped at the lower and upper edge of the frame.
     pub fn curve(&self, points: &[(f64, f64)], colour: RGBAColor, width: f64) -> Drawn {
-        // Points slightly outside by rounding or interpolation still belong to the curve.
+        // Points that are slightly outside the frame due to rounding or interpolation are still drawn.
         let slack = 0.01 * (self.y[1] - self.y[0]);
         let [low, high] = [self.y[0] - slack, self.y[1] + slack];
         let mut part: Vec<(f64, f64)> = Vec::new();
@@ -272,7 +272,7 @@ impl<'a, 'c> Panel<'a, 'c> {
             };
         let (letters, gap) = (0.88 * self.size, 0.5 * self.size);
         let long = letters * text_width(name) + 2.0 * gap;
-        // Distance of the curve from the name at either end, in points.
+        // Distance between the curve and the name, if the name starts at `from`, points.
         let free = |from: f64| {
             let points = curve.iter().map(|p| self.place(p.0, p.1));
             let beside = points.filter(|p| p[0] >= from && p[0] <= from + long);
@@ -304,7 +304,7 @@ impl<'a, 'c> Panel<'a, 'c> {
         let sides = [-1.0, 1.0].map(|side| [x + side * 0.4 * head, tip + away * head]);
         let head = [sides[0], [x, tip], sides[1]];
         line(self.canvas, &head, stroke(colour, 2.0))?;
-        // At the right edge the sign is left of the arrow.
+        // At the right edge of the frame, the symbol ∞ is to the left of the arrow.
         let room = self.frame.right - x > 2.5 * self.size;
         let (gap, side) = if room {
             (0.4, HPos::Left)
@@ -328,7 +328,7 @@ impl<'a, 'c> Panel<'a, 'c> {
     ) -> Drawn {
         let [x, y] = self.place(x, value);
         circle(self.canvas, [x, y], 3.6, colour.filled())?;
-        // Zero up to rounding is shown as 0.
+        // A value that is zero up to rounding errors is shown as 0.
         let noise = 1e-9 * (self.y[1] - self.y[0]);
         let value = if value.abs() < noise { 0.0 } else { value };
         let text = number(self.language, value);
@@ -356,7 +356,7 @@ impl<'a, 'c> Panel<'a, 'c> {
         write(self.canvas, &text, [x, y + shift], lettering)
     }
 
-    /// Position of a value on the sheet, points.
+    /// Position of the point (`x`, `value`) of the diagram on the sheet, points.
     fn place(&self, x: f64, value: f64) -> [f64; 2] {
         self.frame.place(self.x, self.y, (x, value))
     }

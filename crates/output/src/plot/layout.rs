@@ -58,7 +58,7 @@ impl Layout {
         })
     }
 
-    /// Outer frame of the diagrams.
+    /// Frame for all diagrams of the figure, inside the margins for labels and title.
     pub fn frame(&self) -> Frame {
         let e = self.letters;
         Frame {
@@ -123,7 +123,7 @@ pub fn strips(frame: Frame, shares: &[f64], gap: f64) -> Vec<Frame> {
 /// Distance from the start of a line sample in the legend to the start of its name, em.
 const SWATCH: f64 = 2.6;
 
-/// Width of an entry of the legend, including the gap to the next entry, em.
+/// Width of an entry of the legend with the name `name`, including the gap to the next entry, em.
 pub fn key_width(name: &str) -> f64 {
     SWATCH + text_width(name) + 1.7
 }
@@ -165,7 +165,7 @@ impl<'a, 'c> Figure<'a, 'c> {
         let [x, y] = [self.layout.frame().left, 2.2 * self.e];
         let big = Lettering::new(1.35 * self.e, INK).bold();
         self.write(name, [x, y], big)?;
-        // Bold runs about a tenth wider than regular.
+        // Bold text is about 12 % wider than regular text.
         let after = x + 1.35 * self.e * 1.12 * text_width(name) + 0.9 * self.e;
         let plain = Lettering::new(1.35 * self.e, QUIET);
         self.write(what, [after, y], plain)

@@ -1,4 +1,4 @@
-//! Conversion of shapes to pixels.
+//! Conversion of the shapes of a picture to pixels.
 
 use crate::raster::{Page, disc, outline, straightened};
 

@@ -102,7 +102,7 @@ impl DrawingBackend for Recorder<'_> {
     }
 
     fn draw_pixel(&mut self, _: BackendCoord, _: BackendColor) -> Recorded {
-        // A pixel of this sheet is a sixteenth of a point, which is not visible.
+        // A pixel of plotters is one sheet unit, 1/16 point, which is too small to be visible.
         Ok(())
     }
 
@@ -246,7 +246,7 @@ impl Lettering {
         }
     }
 
-    /// Copy of the style, with the text written upwards.
+    /// Copy of the style for text that is written upwards.
     pub fn upwards(mut self) -> Self {
         self.upwards = true;
         self
@@ -258,7 +258,7 @@ impl Lettering {
         self
     }
 
-    /// Copy of the style, with other horizontal and vertical anchors.
+    /// Copy of the style with the anchors `h` (horizontal) and `v` (vertical).
     pub fn anchored(mut self, h: HPos, v: VPos) -> Self {
         (self.h, self.v) = (h, v);
         self

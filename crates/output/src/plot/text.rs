@@ -4,7 +4,7 @@ use std::ops::Range;
 
 /// Output of the build script: table of the letters, followed by their outlines.
 static LETTERS: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/letters.bin"));
-/// Number of bytes before the first row of the table.
+/// Number of bytes before the first row of the table of letters.
 const HEAD: usize = 4;
 const ROW: usize = 8;
 const CORNER: usize = 5;
@@ -30,7 +30,7 @@ fn em() -> f64 {
     f64::from(word(2))
 }
 
-/// Index of the row of a letter in the table; `None` if the letter is missing.
+/// Index of a letter in the table of letters; `None` if the table does not contain the letter.
 fn row(c: char) -> Option<usize> {
     let code = u16::try_from(u32::from(c)).ok()?;
     let (mut low, mut high) = (0, usize::from(word(0)));
@@ -45,7 +45,7 @@ fn row(c: char) -> Option<usize> {
     None
 }
 
-/// The letter `c`, or a replacement character if the table does not contain it.
+/// Letter of the typeface for the character `c`, or a replacement character if the typeface has no such letter.
 fn letter(c: char) -> Letter {
     let count = usize::from(word(0));
     let row = row(c).unwrap_or(0);
@@ -155,7 +155,7 @@ fn contours(
 
 /// Adds a quadratic Bézier curve as a series of chords. The first point of the curve is not added.
 fn curve(from: [f64; 2], control: [f64; 2], to: [f64; 2], polygon: &mut Vec<[f64; 2]>) {
-    // The distance of n chords is a quarter of the second difference over n².
+    // With n chords, the maximum distance is a quarter of the magnitude of the second difference of the control points, divided by n².
     let bend = |k: usize| from[k] - 2.0 * control[k] + to[k];
     let chords = (0.25 * libm::hypot(bend(0), bend(1)) / UNSEEN)
         .sqrt()

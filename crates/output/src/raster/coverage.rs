@@ -1,12 +1,12 @@
-//! Computes the fraction of each pixel that a shape covers. The changes of the covered area at the edges are stored and then summed along
-//! each row.
+//! Computes the fraction of each pixel that a shape covers. The changes of the covered area at the edges of the shape are stored and then
+//! summed along each row of pixels.
 //!
 //! Source: R. Levien, font-rs (2015). In each row, an edge adds its signed area to the pixels on its right. The running sum along the row
 //! is the coverage.
 
 use std::ops::Range;
 
-/// Coverage below which a value counts as zero, because it is a rounding error.
+/// Coverage below which a value counts as zero. Smaller values are rounding errors.
 const NOTHING: f32 = 1e-3;
 
 /// Coverage of the pixels by a shape. It is accumulated from the edges of the polygons of the shape.
@@ -28,7 +28,7 @@ impl Coverage {
         }
     }
 
-    /// Adds one edge of a polygon. Parts outside the page are moved to its border.
+    /// Adds one edge of a polygon. Sections of the edge outside the page are moved to the border of the page.
     pub fn edge(&mut self, from: [f64; 2], to: [f64; 2]) {
         let down = from[1] < to[1];
         let [p, q] = if down { [from, to] } else { [to, from] };
@@ -50,7 +50,7 @@ impl Coverage {
         }
     }
 
-    /// Adds the part of an edge within one row. It extends from x = `a` to `b` and has the signed height `d`.
+    /// Adds the section of an edge within one row of pixels. It extends from x = `a` to `b` and has the signed height `d`.
     fn row(&mut self, row: usize, a: f64, b: f64, d: f64) {
         let most = self.width as f64;
         let (a, b) = (a.clamp(0.0, most), b.clamp(0.0, most));

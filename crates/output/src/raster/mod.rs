@@ -54,7 +54,7 @@ impl Page {
                 }
                 return;
             }
-            // Most pixels have the background of their neighbour.
+            // Most pixels have the same background as the previous pixel, so the mixed colour is reused.
             let (mut under, mut over) = ([0; 3], mixed([0; 3], rgb, alpha));
             for pixel in run {
                 if *pixel != under {

@@ -86,7 +86,7 @@ pub fn outline(points: &[[f64; 2]], width: f64) -> Vec<Vec<[f64; 2]>> {
         }
         before = Some(t);
         let n = [-t[1] * half, t[0] * half];
-        // Counter-clockwise, as `disc`: both have a positive area in these coordinates.
+        // The corners are in counter-clockwise order, as in `disc`. In these coordinates, all polygons then have a positive area.
         out.push(vec![
             [p[0] - n[0], p[1] - n[1]],
             [q[0] - n[0], q[1] - n[1]],

@@ -15,7 +15,7 @@ const MM: f64 = 1000.0;
 /// Number of vertices of the profile.
 const POINTS: usize = 720;
 
-/// CSS styles of the parts.
+/// Style attributes of the first cam in the SVG.
 const BODY: &str =
     "style=\"fill:var(--blue);stroke:var(--blue)\" fill-opacity=\".16\" stroke-width=\"2.2\"";
 const SECOND: &str =
@@ -155,7 +155,8 @@ fn followers(synthesis: &Design) -> Vec<Drawn<'_>> {
     all
 }
 
-/// Size of the cam in the drawing, mm: maximum distance from its centre or, for an unrolled cam, maximum height.
+/// Size of the cam in the drawing, mm. For a rotating cam, it is the maximum distance of profile and pitch curve from the cam centre. For
+/// an unrolled cam, it is the maximum height of the upper edge of the roller.
 fn reach(cam: &Cam, rows: &[ProfilePoint]) -> f64 {
     let up = |p: &ProfilePoint| {
         if slide(cam) > 0.0 {
@@ -215,7 +216,7 @@ fn circle(out: &mut String, part: &str, r: f64, style: &str) {
 }
 
 /// Draws a translating cam with its foot, or the unrolled groove of a barrel cam with both walls. For a closed law, the profile is drawn
-/// three times, one copy on each side of the middle one.
+/// three times: at its position, and one travel to the left and to the right.
 fn sliding_body(out: &mut String, cam: &Cam, rows: &[ProfilePoint], foot: f64) {
     let travel = slide(cam) * cam.law.extent().1 / MM;
     let rounds: &[f64] = if cam.law.is_closed() {
@@ -373,7 +374,7 @@ fn controls(out: &mut String, synthesis: &Design, running: Option<&Running>, wor
     out.push_str("</div>\n");
 }
 
-/// Live values of the animation: ids of the cells, and message keys of the names.
+/// Displayed values of the animation. Each value has the id of its table cell and the message key of its name.
 fn live_values(
     cam: &Cam,
     running: Option<&Running>,

@@ -25,7 +25,7 @@ use gaitcam::wording::{Language, walker};
 use gaitcam_base::text::escaped;
 
 const STYLE: &str = include_str!("page.css");
-/// Script module that computes the positions of the moving parts. The report and the studio use the same module.
+/// Script module that computes the positions of the moving parts of the animation. The report and the studio use this module.
 pub const MOTION_SCRIPT: &str = include_str!("motion.js");
 const SCRIPT: &str = include_str!("page.js");
 
@@ -190,7 +190,7 @@ fn conflict(out: &mut String, synthesis: &Design, words: &Words) {
 /// Key figure of a report: name, value with unit, remark.
 pub type Card = (String, String, String);
 
-/// The text with a capital first letter.
+/// Copy of `text` with a capital first letter.
 fn capital(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().into_iter().flat_map(char::to_uppercase);

@@ -15,7 +15,7 @@ pub const STEPS: usize = 480;
 /// Maximum number of turns that are shown. If the period of the simulated motion is longer, only this number is shown.
 const MOST_TURNS: usize = 4;
 
-/// Data for the script. Each list has one value per step and one value at the end.
+/// Data for the script. Each list has one value per step and an additional value at the end of the motion.
 #[derive(Default, Serialize)]
 pub struct Motion {
     /// First angle of the cam in the displayed unit.
@@ -164,7 +164,7 @@ pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
     let (mut force, mut torque) = (0.0_f64, 0.0_f64);
     for i in 0..=STEPS * turns {
         let theta = start + length * i as f64 / STEPS as f64;
-        // A closed law continues with its first turn; an open one is evaluated at its end.
+        // A closed law continues with its first turn. An open law is evaluated at its end.
         let within = if i % STEPS == 0 && i > 0 && !cam.law.is_closed() {
             start + length
         } else {
@@ -197,7 +197,7 @@ pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
     out
 }
 
-/// Row of the rigid machine at the angle `theta`: contact force, torque and lift.
+/// State of the rigid machine at the cam angle `theta`, rad, in the form of a simulated state: contact force, torque and lift.
 fn still(synthesis: &Design, theta: f64, at: Svaj) -> Row {
     let force = synthesis.force_at(theta);
     Row {
@@ -209,7 +209,7 @@ fn still(synthesis: &Design, theta: f64, at: Svaj) -> Row {
 }
 
 impl Motion {
-    /// The motion without the values next to the drawing.
+    /// Copy of the motion without the values that are displayed next to the drawing.
     pub fn without_readings(mut self) -> Motion {
         self.readings = None;
         self

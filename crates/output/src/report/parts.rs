@@ -30,7 +30,7 @@ pub fn figures(design: &Design, language: Language) -> Vec<Figure> {
 /// Result of a check of the design, in customary units.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Checked {
-    /// Key of the criterion.
+    /// Key of the checked criterion, as in `summary.json`.
     pub key: &'static str,
     /// Name of the criterion.
     pub name: String,
@@ -79,13 +79,13 @@ pub fn motion(design: &Design) -> Motion {
     motion::motion(design, None).without_readings()
 }
 
-/// Text of a value of a limit, in its customary unit.
+/// Formats the value of a criterion as text in its customary unit. `value` is in SI units.
 pub fn shown(design: &Design, limit: Criterion, value: f64, language: Language) -> String {
     let measures = design.cam.follower.measures();
     tables::shown(measures, limit, value, &words::words(language))
 }
 
-/// Name of a limit, follower or law in a language.
+/// Name of a limit, follower or law in a language. `typed` is its name in a scene file.
 pub fn name(typed: &str, language: Language) -> String {
     words::words(language).name(typed)
 }

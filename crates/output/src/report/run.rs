@@ -38,7 +38,7 @@ pub fn section(out: &mut String, synthesis: &Design, running: &Running, words: &
         frame.left, frame.right, frame.top, frame.bottom, outcome.period_turns
     );
     if outcome.shaft.is_some() {
-        // The axis of these diagrams is time, so there is no line at the present angle.
+        // The horizontal axis of these diagrams is time, so the current cam angle is not marked.
         data.clear();
     }
     let unit = synthesis.cam.follower.measures().force().name;

@@ -77,7 +77,7 @@ fn impossible_arms_are_refused_with_what_would_be_right() {
             if is_near(*pivot, 0.1) && reach.value > 0.1),
         "{inside}"
     );
-    // Rises of more than half a turn pass a dead centre.
+    // A swing of 2.9 rad passes a dead centre.
     let swung = arm(0.08, 0.05, 2.9);
     assert!(
         matches!(swung.fault(), Some(CamError::Swing { .. })),
@@ -107,7 +107,7 @@ fn impossible_flat_faces_are_refused_with_what_would_be_right() {
             "{error}"
         );
     }
-    // Three waves in a turn: 3 · 0.4 of the cam's speed.
+    // With three waves in a turn, the maximum speed of the arm is 3 · 0.4 = 1.2 times the cam speed.
     let three = Law::harmonic(0.4, &[(0.0, 0.0), (0.0, 0.0), (-0.4, 0.0)]);
     let follower = Follower::FlatOscillating {
         pivot_distance: 0.1,

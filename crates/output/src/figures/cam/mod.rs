@@ -24,9 +24,9 @@ use pressure::Pressures;
 use table::values_at;
 
 const MM: f64 = 1000.0;
-/// Number of vertices of the drawn curves.
+/// Number of vertices of each drawn curve.
 const POINTS: usize = 720;
-/// Length of the dashes and gaps of the base circle, points.
+/// Lengths of dash and gap in the line of the base circle, points.
 const BASE: [f64; 2] = [7.0, 5.0];
 const PRIME: [f64; 2] = [13.0, 4.0];
 const PITCH: [f64; 2] = [4.0, 4.0];
@@ -75,7 +75,7 @@ pub(crate) fn cam_in(synthesis: &Design, layout: Layout, words: &Words) -> Pictu
 struct Scene<'a> {
     synthesis: &'a Design,
     rows: Vec<ProfilePoint>,
-    /// Points of the edges to be cut, other than the first profile, m: upper wall of a groove, or second cam of a pair.
+    /// Points of the other edges of the cam, m: upper wall of a groove, or second cam of a pair. The first profile is in `rows`.
     others: Vec<Vec<[f64; 2]>>,
     start: f64,
     /// Contact pressure at the points of `rows`; `None` if it is not drawn.
@@ -234,7 +234,7 @@ impl<'a> Scene<'a> {
         };
         let outline: Vec<(f64, f64)> = self.rows.iter().map(|p| here(p.x, p.y)).collect();
         if self.is_straight() {
-            // Area of the plate from the profile down to its foot.
+            // Outline of the plate between the profile and the lower edge of the cam.
             let mut body = outline.clone();
             if let (Some(first), Some(last)) = (outline.first(), outline.last()) {
                 let foot = self.foot();
@@ -321,7 +321,7 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// The curve, with its first point repeated at the end if the profile is closed.
+    /// Copy of a curve. If the profile is closed, the first point of the curve is repeated at its end.
     fn whole(&self, mut curve: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
         if !self.is_straight() && self.synthesis.cam.law.is_closed() && !curve.is_empty() {
             curve.push(curve[0]);
@@ -339,7 +339,7 @@ impl<'a> Scene<'a> {
             trace(plane, path, stroke(INK, 1.4))?;
         }
         dot(plane, (0.0, 0.0), INK)?;
-        // The arrow is counter-clockwise for a positive speed. It is on the side where the cam is largest.
+        // The arrow is counter-clockwise for a positive speed. It is drawn in the direction of the centroid of the profile.
         let r = (0.45 * self.base.min(self.reach)).max(0.22 * self.reach);
         let middle = self.bulk().unwrap_or(0.7);
         let sense = if self.synthesis.problem.drive.speed < 0.0 {

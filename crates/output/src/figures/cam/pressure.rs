@@ -19,7 +19,7 @@ pub(super) struct Pressures {
     /// Pressure at each point, Pa; NaN without contact.
     values: Vec<f64>,
     low: f64,
-    /// Maximum of the check, Pa, or of the points if it is infinite.
+    /// Upper end of the colour scale, Pa: the maximum of `values` or the worst value of the check, whichever is larger.
     high: f64,
 }
 

@@ -54,7 +54,7 @@ impl Scene<'_> {
             lines.push((ORANGE, 1.6, Some(PITCH), words.text("figure-pitch-curve")));
         }
         if self.pressures.is_some() {
-            // The scale of the pressure is the key of the profile.
+            // The colour scale of the pressure replaces the legend entry of the profile.
             lines.remove(0);
         }
         for (colour, width, dash, name) in lines {
@@ -75,7 +75,7 @@ impl Scene<'_> {
         Ok(y)
     }
 
-    /// Names of the main dimensions, and their values.
+    /// Main dimensions of the cam as pairs of name and value.
     pub(super) fn facts(&self, words: &Words) -> Vec<(String, String)> {
         let language = words.language();
         let all = [Group::Law, Group::Cam].map(|group| facts(self.synthesis, group, language));

@@ -101,7 +101,8 @@ fn facts(understood: &Interpretation, words: &Words) -> Vec<String> {
     parts
 }
 
-/// Lines of at most `room` em. A line is broken only between parts. If there are more than `most` lines, an ellipsis replaces the rest.
+/// Lines of at most `room` em with the texts `parts`, which are not broken. If there are more than `most` lines, an ellipsis replaces the
+/// further lines.
 fn shortened<'a>(parts: impl Iterator<Item = &'a str>, room: f64, most: usize) -> Vec<String> {
     let mut lines = wrapped(parts, room);
     if lines.len() > most {

@@ -49,7 +49,7 @@ pub(super) fn draw(f: &Figure, frame: Frame, understood: &Interpretation, words:
     Ok(())
 }
 
-/// Frame number `k` of `count` adjacent frames in a common frame.
+/// Frame with the index `k`, from 0, if `frame` is divided into `count` adjacent frames. `e` is the font size, points.
 fn column(frame: Frame, k: usize, count: usize, e: f64) -> Frame {
     let gap = 8.6 * e;
     let width = (frame.right - frame.left - gap * (count as f64 - 1.0)) / count as f64;

@@ -71,10 +71,10 @@ pub(crate) fn recording_in(
         let shares: &[f64] = match (cycle, &understood.overlay) {
             (Some(_), _) => &[1.0, 1.0, 0.85],
             (None, Some(_)) => &[1.0, 1.05],
-            // A line of text replaces the means.
+            // A line of text replaces mean stances and mean cycle.
             (None, None) => &[1.0, 0.05],
         };
-        // Lanes of contacts and their key are between the recording and the means.
+        // The lanes with the contacts and their legend are between the recording and the mean stances.
         let above = Frame {
             bottom: frame.bottom - lanes,
             ..frame

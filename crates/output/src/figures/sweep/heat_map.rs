@@ -26,7 +26,8 @@ pub enum Best {
     Largest,
 }
 
-/// Edges of the cells along an axis. For a grid, they are midway between adjacent values; otherwise the cells have equal width.
+/// Edges of the cells of the heat map along an axis. For a grid, they are midway between adjacent values; otherwise the cells have equal
+/// width.
 fn edges(values: &[f64]) -> Vec<f64> {
     let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
     sorted.sort_by(f64::total_cmp);
@@ -55,7 +56,8 @@ fn cell(edges: &[f64], v: f64) -> usize {
     edges[1..edges.len() - 1].partition_point(|e| *e <= v)
 }
 
-/// Figure in which colour is the best value of `z` as a function of `x` and `y`. Cells without a design remain empty.
+/// Heat map of `z` as a function of `x` and `y`. The colour of a cell shows the best value of `z` in it. Cells without a design remain
+/// empty.
 pub fn heat_map(title: &str, [x, y, z]: [&Quantity; 3], best: Best, language: Language) -> Picture {
     let ([x, y, z], _) = shown([x, y, z]);
     let (ex, ey) = (edges(&x.values), edges(&y.values));

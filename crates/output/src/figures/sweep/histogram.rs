@@ -25,7 +25,7 @@ pub fn histogram(title: &str, q: &Quantity, levels: &[(f64, &str)], language: La
         counts[((u * BARS as f64) as usize).min(BARS - 1)] += 1.0;
     }
     let most = counts.iter().fold(1.0_f64, |m, c| m.max(*c));
-    // The numbers of designs are whole.
+    // Counts of designs are integers, so ticks at fractions are removed.
     let whole = ticks(0.0, 1.08 * most, 10.0);
     let whole = whole.into_iter().filter(|v| v.fract() == 0.0);
     let label = words::words(language).text("figure-designs");

@@ -30,8 +30,7 @@ pub struct Quantity {
     pub words: Vec<String>,
 }
 
-/// Label in a customary unit, and factor that converts values from the SI unit to this unit. `stroke, m` becomes `stroke, mm` with the
-/// factor 1000.
+/// Label with a customary unit, and the factor that converts SI values to this unit. `stroke, m` becomes `stroke, mm` with the factor 1000.
 pub fn unit_for_people(label: &str) -> (String, f64) {
     match label.rsplit_once(", ") {
         Some((name, unit)) => {
@@ -67,7 +66,7 @@ fn frame(right_room: f64) -> Frame {
     }
 }
 
-/// Several columns in customary units, and for each column the factor that converts SI values to this unit.
+/// Copies of several columns with values in customary units. The second result is the conversion factor of each column from its SI unit.
 fn shown<const N: usize>(all: [&Quantity; N]) -> ([Quantity; N], [f64; N]) {
     let both = all.map(Quantity::shown);
     let factors = both.each_ref().map(|b| b.1);

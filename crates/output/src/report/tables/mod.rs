@@ -18,7 +18,7 @@ use gaitcam_base::text::escaped;
 /// Distance from a limit, as a fraction of the limit, up to which a satisfied limit counts as reached.
 const ON_THE_LIMIT: f64 = 0.005;
 
-/// Text of a value in the customary unit of its limit. For an unknown limit, it is in SI without a unit.
+/// Formats a value as text in the customary unit of its criterion. For an unknown criterion, the text is the SI value without a unit.
 pub fn shown(measures: Measures, limit: Criterion, value: f64, words: &Words) -> String {
     let unit = unit(measures, limit);
     let value = unit.factor * value;
@@ -64,7 +64,7 @@ pub fn limit_and_place(check: &Check) -> (Option<f64>, Option<f64>) {
     )
 }
 
-/// Opens a table. Columns with an index of at least `numbers` are aligned to the right.
+/// Opens an HTML table and writes the names of its columns. Columns with an index of at least `numbers` are aligned to the right.
 pub fn open(out: &mut String, columns: &[String], numbers: usize) {
     out.push_str("<div class=\"scroll\" tabindex=\"0\"><table>\n<thead><tr>");
     for (i, name) in columns.iter().enumerate() {
@@ -78,12 +78,12 @@ pub fn close(out: &mut String) {
     out.push_str("</tbody></table></div>\n");
 }
 
-/// Opens a row and writes its name.
+/// Opens a row of an HTML table and writes the name of the row into its first cell.
 pub fn row(out: &mut String, name: &str) {
     let _ = write!(out, "<tr><th scope=\"row\">{}</th>", escaped(name));
 }
 
-/// Writes the remaining cells of a row and closes the row.
+/// Writes `values` as the remaining cells of a table row and closes the row.
 pub fn cells(out: &mut String, values: &[impl AsRef<str>]) {
     for value in values {
         let _ = write!(out, "<td class=\"n\">{}</td>", escaped(value.as_ref()));
