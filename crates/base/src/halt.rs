@@ -1,4 +1,4 @@
-//! Stop condition of a computation. The library has no clock and polls this object instead.
+//! Stop condition of a computation. The library does not read a clock. The caller supplies the condition, for example a time limit.
 
 use std::fmt;
 use std::sync::Arc;
@@ -39,8 +39,9 @@ impl Halt {
         }
     }
 
-    /// A condition that stops computations when `asked` returns true, or after a given number of polls. For the same input, a computation
-    /// polls equally often on every machine.
+    /// The condition with a limit on the number of polls. After `looks` polls it is always true.
+    ///
+    /// For the same input, a computation polls equally often on every machine. Its result is then the same on every machine.
     ///
     /// ```
     /// use gaitcam_base::halt::Halt;

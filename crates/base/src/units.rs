@@ -11,8 +11,8 @@ pub use crate::quantity::{Dimension, Quantity};
 /// Standard gravity as used in the source papers, m/s² (Campillo de Blas 2017, eq. 22).
 pub const G: f64 = 9.81;
 
-/// Units: name, factor to the SI unit, and exponents of metre, kilogram, second and radian. The meaning of pound depends on the dimension:
-/// see [`parse`].
+/// Units: name, factor to the SI unit, and exponents of metre, kilogram, second and radian. [`parse`] describes how the dimension
+/// determines the meaning of pound.
 const UNITS: &[(&str, f64, Exponents)] = &[
     ("m", 1.0, [1, 0, 0, 0]),
     ("km", 1e3, [1, 0, 0, 0]),
@@ -116,7 +116,8 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
 /// Maximum magnitude of a value in SI units. Products of a few such values are finite.
 const MOST: f64 = 1e30;
 
-/// Checks that products of a few values of this magnitude, in SI units, do not overflow.
+/// Checks that the magnitude of a value in SI units is at most 1e30, so that products of a few such values do not overflow. `text` is the
+/// input; it is part of the error.
 ///
 /// # Errors
 ///
@@ -156,14 +157,16 @@ fn leading_number(text: &str) -> Option<(f64, &str)> {
     })
 }
 
-/// `value` divided by the number after a slash at the start of `rest`, and the remaining text.
+/// `value` divided by the number after a slash at the start of `rest`, and the remaining text. `None` unless a slash and a positive number
+/// follow.
 fn quotient(value: f64, rest: &str) -> Option<(f64, &str)> {
     let (number, after) = split_number(rest.trim_start().strip_prefix('/')?.trim_start());
     let divisor: f64 = number.replace(',', ".").parse().ok()?;
     (divisor > 0.0).then(|| (value / divisor, after))
 }
 
-/// Text without thousands separators, `1234.5 mm` for `1.234,5 mm` and `1,234.5 mm`; `None` if the text contains none.
+/// Text without thousands separators, for example `1234.5 mm` for `1.234,5 mm` and for `1,234.5 mm`. `None` if the text contains no
+/// thousands separators.
 fn without_groups(text: &str) -> Option<String> {
     let mark = |c: char| c == '.' || c == ',';
     let end = text.find(|c: char| !(c.is_ascii_digit() || mark(c) || "+-".contains(c)));
@@ -273,13 +276,13 @@ fn unknown_unit(unit: &str, dimension: Dimension) -> Error {
     let shouted = |u: &&(&'static str, f64, Exponents)| u.0.eq_ignore_ascii_case(unit);
     // If the unit is itself a number, no similar unit is suggested.
     let worded = !unit.starts_with(|c: char| c.is_ascii_digit());
-    // Order of preference: same dimension and same letters; same dimension; same letters; any unit.
+    // Order of preference: equal letters and dimension, similar letters and equal dimension, equal letters, similar letters.
     let meant = (UNITS.iter().filter(fits).find(shouted).map(|u| u.0))
         .or_else(|| nearest(unit, UNITS.iter().filter(fits).map(|u| u.0)))
         .or_else(|| UNITS.iter().find(shouted).map(|u| u.0))
         .or_else(|| nearest(unit, UNITS.iter().map(|u| u.0)))
         .filter(|_| worded);
-    // A power without its sign: in3 for in^3.
+    // If a unit is followed by a digit, the caret is probably missing: `in3` instead of `in^3`.
     let base = unit.trim_end_matches(|c: char| c.is_ascii_digit());
     let power = (base.len() < unit.len() && lookup(base, dimension).is_some())
         .then(|| format!("{base}^{}", &unit[base.len()..]));
@@ -385,7 +388,7 @@ mod tests {
                 .is_ok_and(|x| (x / expected - 1.0).abs() < 1e-12);
             assert!(near, "{text}: {got:?}");
         }
-        // What may be a list or thousands, and what divides by nothing, stays refused.
+        // Texts that may be lists or have thousands separators, and divisions by zero, are rejected.
         for text in [
             "1,000.5 mm",
             "1.000,5 mm",

@@ -32,7 +32,7 @@ pub type File = [&'static str; 2];
 pub struct Sentences {
     /// Fluent files with all messages of the crate, in English and in Spanish.
     pub files: &'static [File],
-    /// Names of fields that quote the user or select a variant of a message. Their values are not translated.
+    /// Names of fields whose values are texts of the user, or select a variant of a message. These values are not translated.
     pub as_typed: &'static [&'static str],
     /// Areas whose messages can be arguments of messages of other areas.
     pub shared: &'static [&'static str],

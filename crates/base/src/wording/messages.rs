@@ -58,7 +58,8 @@ impl Messages {
     pub(super) fn new(language: Language, crates: &'static [Sentences]) -> Messages {
         let tag: LanguageIdentifier = language.tag().parse().unwrap_or_default();
         let mut bundle = FluentBundle::new_concurrent(vec![tag]);
-        // All text is written from left to right; isolation marks around arguments would only disturb terminals.
+        // English and Spanish are written from left to right, so isolation marks around arguments are unnecessary. Some terminals display
+        // them.
         bundle.set_use_isolating(false);
         let mut texts = BTreeMap::new();
         let files = crates.iter().flat_map(|own| own.files);
@@ -92,7 +93,7 @@ impl Messages {
     }
 
     fn read(&self) -> Bundle<'_> {
-        // A panic while a message is added does not invalidate the others.
+        // A panic while a message is added does not invalidate the other messages.
         (self.bundle.read()).unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 
@@ -219,7 +220,7 @@ impl Messages {
         arguments
     }
 
-    /// One or several texts quoted from the user, unchanged.
+    /// One or several texts of the user as an argument, without translation.
     fn typed(&self, area: &str, value: &Value, digits: usize) -> FluentValue<'static> {
         let texts = match value {
             Value::String(_) => std::slice::from_ref(value),
@@ -232,7 +233,7 @@ impl Messages {
 
     fn argument(&self, area: &str, value: &Value, digits: usize) -> FluentValue<'static> {
         match value {
-            // Whole numbers select plural forms.
+            // Whole numbers remain numbers, because they select plural forms.
             Value::Number(n) => match n.as_i64() {
                 Some(whole) if whole.abs() < 10_000 => FluentValue::from(whole),
                 _ => exact(self.language, n.as_f64().unwrap_or(f64::NAN)).into(),
@@ -246,7 +247,7 @@ impl Messages {
             Value::Null => "none".to_string(),
             Value::Bool(b) => b.to_string(),
             Value::Number(n) => exact(self.language, n.as_f64().unwrap_or(f64::NAN)),
-            // A message without fields as an argument; otherwise a name.
+            // The text is the key of a message without fields, or otherwise a name.
             Value::String(text) if self.text_of(&format!("{area}-{text}")).is_some() => {
                 self.of_value(area, value)
             }

@@ -6,7 +6,7 @@ use super::ForceCurve;
 use super::csv::write_head;
 use crate::recording::Foot;
 
-/// Columns of one external load: force, point of application, free torque.
+/// Endings of the column names of one external load: force, point of application, free torque.
 const COLUMNS: [&str; 9] = [
     "_vx",
     "_vy",

@@ -41,8 +41,11 @@ fn mean_of_plates(recording: &Recording, period_s: f64) -> Option<f64> {
     Some(mean(&strides.map(mean).collect::<Vec<f64>>()))
 }
 
-/// Mean total force, N, for a given stride time, s; `None` without two consecutive whole stances with similar impulses. The impulses must
-/// be similar, because two half strides of a limping walker are not equivalent to a stride.
+/// Mean total force, N, for a given stride time, s. If the plates are not loaded for a whole stride, it is computed from pairs of
+/// consecutive whole stances with similar impulses. The impulses must be similar, because two half strides of a limping walker are not
+/// equivalent to a stride.
+///
+/// `None` for running, for a table of stances, or without such a pair.
 pub(super) fn mean_total(recording: &Recording, stances: &Stances, period_s: f64) -> Option<f64> {
     if recording.has_rows() || recording.runs() {
         return None;

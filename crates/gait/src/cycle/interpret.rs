@@ -79,7 +79,7 @@ fn envelope(force: &[f64], pieces: usize) -> Vec<[f64; 2]> {
 
 /// Contacts in order of time, with times as in the file.
 fn contacts(r: &Recording, stances: &Stances, cycle: Option<&Cycle>) -> Vec<Contact> {
-    // The sum of both feet includes stances that the mean of one foot excludes.
+    // Whole strides also contain outliers, which a mean of single stances excludes.
     let whole = averages_strides(cycle);
     let contact = |f: &Footfall| {
         let stance = stances.at(f);

@@ -45,7 +45,7 @@ fn mean_of(recording: &Recording, own: &[&Stance]) -> MeanStanceCurve {
             at: of(|p| p.at),
         })
     };
-    // The peak of a stance with one maximum is neither of the two peaks.
+    // If most stances have two peaks, stances with one peak are excluded. Their peak is neither the loading peak nor the push-off peak.
     let single = |s: &Stance| s.valley.is_none();
     let humps = 2 * own.iter().filter(|s| !single(s)).count() > own.len();
     let landmarks = if humps {
