@@ -25,7 +25,7 @@ use crate::stance::{Point, RejectReason};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Interpretation {
-    /// Name of the recorded file.
+    /// Name of the file with the recording.
     pub file: String,
     /// Format of the file.
     pub format: Format,
@@ -272,12 +272,12 @@ impl Interpretation {
         Note::doubts(&self.warnings)
     }
 
-    /// Warnings that raise a question.
+    /// Warnings from which the given question follows.
     pub fn opened_by(&self, question: OpenQuestion) -> Vec<Note> {
         Note::opening(&self.warnings, question)
     }
 
-    /// Codes of the warnings, without repetition, in order.
+    /// Codes of the warnings in order of their first occurrence, each once.
     pub fn codes(&self) -> Vec<&'static str> {
         let mut all: Vec<&str> = Vec::new();
         for code in self.warnings.iter().map(Note::code) {
@@ -295,7 +295,7 @@ impl Interpretation {
         (used, self.contacts.len() - used)
     }
 
-    /// Mean stances for a figure, left foot first.
+    /// Mean stances for a figure, left foot first; empty without an overlay.
     pub fn means(&self) -> &[MeanStanceCurve] {
         self.overlay.as_ref().map_or(&[], |o| &o.means)
     }
@@ -327,7 +327,7 @@ impl Interpretation {
     }
 }
 
-/// Converts an enum to its code and its data.
+/// Converts an enum value to a JSON object that contains its code and its data.
 pub fn coded(value: &impl Serialize) -> Value {
     match serde_json::to_value(value) {
         Ok(Value::Object(map)) if map.len() == 1 => map

@@ -31,7 +31,7 @@ pub fn one_cycle(
             span_rad: None,
             ..options.clone()
         };
-        // A table that is not a recording covers the span unchanged.
+        // If no stances are found, the table is read as one cycle that covers the span.
         if let Ok(recording) = read(path, bytes, &raw) {
             let found = stances(&recording);
             let file = name(path);

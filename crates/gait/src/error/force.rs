@@ -30,9 +30,9 @@ pub enum ForceError {
     SampleNotFinite { sample: usize },
     /// The period is not positive.
     PeriodNotPositive { period: Quantity },
-    /// The name of the feet is unknown.
+    /// The word is not a name of feet, such as `both` or `left`.
     UnknownFeet { word: String },
-    /// The kind of movement is unknown.
+    /// The word is not a kind of movement, such as `walking`.
     UnknownKind { word: String },
     /// The word does not name a question that the user may accept: `kind`, `clock` or `mass`.
     UnknownDoubt { word: String },
@@ -83,7 +83,7 @@ pub enum ForceError {
         found: usize,
         reason: &'static str,
     },
-    /// No channel has a load, but the readings of one channel are in the range of newtons per kilogram.
+    /// There is no contact. The maximum reading suggests newtons per kilogram instead of newtons.
     ForceTooLow { duration: Quantity, peak: Quantity },
     /// Every channel is constant or empty.
     NoLiveChannel { duration: Quantity },

@@ -23,18 +23,18 @@ pub enum Status {
 }
 
 impl Status {
-    /// Name of the reliability in tables.
+    /// Name of the reliability in tables: `seen`, `recalled` or `mixed`.
     pub fn name(self) -> &'static str {
         self.into()
     }
 }
 
-/// Entry of the catalogue of load models.
+/// Load model in the catalogue: its name, formula, source, reliability and frequency range.
 ///
 /// ```
 /// use gaitcam_gait::catalogue;
 ///
-/// // Li et al. (2010) give one foot, Young (2001) the sum of both.
+/// // Li et al. (2010) describe the force of one foot, Young (2001) the sum of both feet.
 /// let single = |name| catalogue().iter().find(|model| model.name == name).unwrap().single_foot;
 /// assert!(single("li-2010") && !single("young"));
 /// ```

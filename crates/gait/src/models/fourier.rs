@@ -14,7 +14,7 @@ use crate::recording::Feet;
 /// ```
 /// use gaitcam_gait::{Feet, of_harmonics};
 ///
-/// // 700 N with a harmonic of 40 % that crests a quarter of a step after heel strike.
+/// // 700 N with a harmonic of 40 %. Its maximum is a quarter of a step after heel strike.
 /// let force = of_harmonics(&[(0.4, 0.0)], Some(2.0), 700.0, Feet::Both)?;
 /// assert_eq!((force.mean_n(), force.period_s()), (700.0, 0.5));
 /// assert_eq!(force.waves(), [(0.0, 280.0)]);

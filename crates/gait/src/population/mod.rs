@@ -50,7 +50,7 @@ impl Walker {
 /// ```
 /// use gaitcam_gait::{ForceCurve, Walker};
 ///
-/// // Two people in step: their mean is the mean of the cycles in parts of the weight, times the mean weight.
+/// // The mean of two walkers is computed from the cycles as fractions of the weight and multiplied by the mean weight.
 /// let cycle = |g: f64, a: f64| ForceCurve::from_samples("", 0.5, vec![g, g * (1.0 + a), g, g * (1.0 - a)]);
 /// let walkers = vec![Walker::new("A", cycle(600.0, 0.2)?), Walker::new("B", cycle(800.0, 0.4)?)];
 /// let mean = ForceCurve::of_walkers(walkers)?;

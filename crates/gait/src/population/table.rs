@@ -64,7 +64,7 @@ pub struct WalkerRow {
 ///
 /// # Errors
 ///
-/// The first row without a cycle, and errors of [`read_rows`].
+/// The error of the first row without a cycle, or an error of [`read_rows`].
 pub fn read_table(path: &Path, bytes: &[u8]) -> Result<Vec<Walker>> {
     let rows = read_rows(path, bytes)?;
     rows.into_iter().map(|row| row.walker).collect()

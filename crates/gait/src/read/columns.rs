@@ -155,7 +155,7 @@ fn force_axis(words: &[String]) -> Option<Axis> {
     }
     let axis = words.iter().rev().find_map(|w| Some((w, axis_letter(w)?)));
     if let Some((word, axis)) = axis {
-        // `HFx` is a marker, `LFz` a foot: a separate letter before the component must be a side.
+        // `HFx` denotes a marker, `LFz` a foot. A separate letter before the component must therefore denote a side.
         let before = words.iter().rev().skip_while(|w| *w != word).nth(1);
         let marker = before.is_some_and(|b| {
             let lone = b.chars().count() == 1 && !b.starts_with(|c: char| c.is_ascii_digit());

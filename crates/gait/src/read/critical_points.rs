@@ -1,4 +1,4 @@
-//! A cycle from its critical points. The curve has a horizontal tangent at each point and does not overshoot between the points.
+//! A cycle from its critical points. The curve has a horizontal tangent at each peak and valley and is monotone between the points.
 
 use crate::curve::{ForceCurve, SAMPLES};
 use crate::error::{ReadError, Result};

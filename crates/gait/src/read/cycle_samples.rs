@@ -64,7 +64,7 @@ fn is_spread(name: &str) -> bool {
 ///
 /// # Errors
 ///
-/// There are several forces.
+/// There is no force, or there are several forces.
 pub(super) fn one_force(
     file: &TextFile,
     table: &Table,
@@ -84,7 +84,7 @@ pub(super) fn one_force(
         let fault = ReadError::CycleForces { columns };
         return Err(fault.at_line(file.path, table.header_line()));
     }
-    // A bare `time` is in seconds. A column with another unit, such as a percentage, is not a time.
+    // A column with only the name `time` is in seconds. A column with another unit, such as a percentage, is not a time.
     let options = file.options;
     let is_time =
         |name: &&String| matches!(role(name), Role::Time) || options.time.as_ref() == Some(name);

@@ -89,11 +89,11 @@ fn foreign(bytes: &[u8]) -> Option<FileKind> {
 
 pub use cycle_file::is_marked as is_marked_cycle;
 
-/// Reads a text marked as one cycle, or any text if a period or a span is given; `None` for other files.
+/// Reads a text marked as one cycle, or any text or MAT file if a period or a span is given; `None` for other files.
 ///
 /// # Errors
 ///
-/// A line is not a number; there are too few samples.
+/// A line is not a number; there are too few samples; a period or a span is given for a C3D file.
 pub fn marked_cycle(
     path: &Path,
     bytes: &[u8],

@@ -150,7 +150,8 @@ fn missed(times: &[f64], usual: f64) -> Option<(usize, f64)> {
     Some((count, 0.5 * (times[first] + times[first + 1]) - times[0]))
 }
 
-/// Median step between adjacent times of a thinned set. If rounding makes the median zero, the mean step.
+/// Median of the steps between adjacent times, from a thinned set of steps. If the median is zero because of rounding, the mean step is
+/// returned.
 pub(super) fn usual_step(times: &[f64]) -> f64 {
     let thin = times.len() / 4096 + 1;
     let neighbours = times.windows(2).step_by(thin);

@@ -58,7 +58,7 @@ pub enum Format {
 /// ```
 /// use gaitcam_gait::{Format, Processor, Storage};
 ///
-/// // DEC floats differ from IEEE floats; a C3D file names its processor.
+/// // DEC floats differ from IEEE floats. A C3D file contains the type of its processor.
 /// let file = Format::C3d { processor: Processor::Dec, storage: Storage::Floats };
 /// assert!(file.to_string().contains("DEC"));
 /// ```

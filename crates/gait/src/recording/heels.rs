@@ -18,7 +18,7 @@ type Position = [f64; 3];
 /// ```
 /// use gaitcam_gait::{Foot, Heels};
 ///
-/// // The left heel stands, the right one moves by 1 m/s.
+/// // The left heel is at rest, and the right heel moves at 1 m/s.
 /// let right = (0..50).map(|i| [0.01 * f64::from(i), 0.1, 0.0]).collect();
 /// let heels = Heels { rate_hz: 100.0, left: vec![[0.2, 0.0, 0.0]; 50], right };
 /// assert_eq!(heels.standing(0.0, 0.4), Some(Foot::Left));
@@ -30,7 +30,7 @@ pub struct Heels {
     pub rate_hz: f64,
     /// Positions of the left heel, in the axes and the unit of length of the file; NaN for frames in which the marker was not visible.
     pub left: Vec<[f64; 3]>,
-    /// Positions of the right heel, in the same form as those of the left heel.
+    /// Positions of the right heel, with the same axes, unit and marking of invisible frames.
     pub right: Vec<[f64; 3]>,
 }
 

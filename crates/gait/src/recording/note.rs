@@ -38,7 +38,7 @@ pub enum Axis {
 /// use gaitcam_gait::{Note, OpenQuestion};
 /// use gaitcam_gait::units::Quantity;
 ///
-/// // A stride whose duration was assumed leaves the clock open until the user answers.
+/// // A stride time that was assumed leaves a question on the time base open until the user answers it.
 /// let note = Note::StrideAssumed { period: Quantity::time(1.1), duty: Quantity::share(0.62) };
 /// assert_eq!((note.code(), note.doubt()), ("stride-assumed", Some(OpenQuestion::Clock)));
 /// ```
@@ -111,11 +111,11 @@ pub enum Note {
     },
     /// The stances of a recording fill only a span of the turn.
     StanceFillsSpan {
-        /// Number of stances that the span contains.
+        /// Number of stances in the mean stance that fills the span.
         stances: usize,
-        /// Start of the first stance in the span.
+        /// Start of the first of these stances, as in the file.
         from: Quantity,
-        /// End of the first stance in the span.
+        /// End of the first of these stances, as in the file.
         to: Quantity,
     },
     /// A share of the force on another plate was subtracted, because it is cross-talk.
@@ -245,7 +245,7 @@ pub enum WeightShare {
 /// ```
 /// use gaitcam_gait::{ClockSource, ReadOptions, read};
 ///
-/// // The user's rate counts where a file has none.
+/// // The file contains no sampling rate, so the rate of the user is necessary.
 /// let text = "Fz (N)\n700\n701\n702\n703\n704\n";
 /// let options = ReadOptions { rate_hz: Some(50.0), ..ReadOptions::default() };
 /// let recording = read("a.csv".as_ref(), text.as_bytes(), &options)?;
@@ -262,9 +262,9 @@ pub enum ClockSource {
     Times,
     /// A time column whose unit was assumed.
     GuessedTimes,
-    /// The sampling rate in the file.
+    /// The sampling rate was read from the file.
     Header,
-    /// A sampling rate that was determined from the recording.
+    /// The sampling rate was assumed, so that stances have a typical duration.
     GuessedRate,
 }
 
@@ -295,7 +295,7 @@ pub enum UnitSource {
 /// use gaitcam_gait::{Feet, MassSource, ReadOptions, cycle, read, stances};
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
-/// // Over a stride the mean force is the weight: 700 N in this made recording.
+/// // The mean force over a stride is the weight: 700 N in this generated recording.
 /// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
 /// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
 /// assert_eq!(mean.mass_from, MassSource::MeanForce);
@@ -362,7 +362,7 @@ impl PeriodSource {
 /// use gaitcam_gait::{CycleSource, Feet, ReadOptions, cycle, read, stances};
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
-/// // 10.5 s of strides of 1.05 s: nine of them whole.
+/// // The recording of 10.5 s contains nine whole strides of 1.05 s.
 /// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
 /// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
 /// assert!(matches!(mean.source, CycleSource::WholeStrides { strides: 9, .. }));

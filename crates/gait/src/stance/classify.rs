@@ -19,14 +19,14 @@ const TWO_STEPS_S: f64 = 0.8;
 const FRAGMENT: f64 = 0.25;
 /// Maximum duration, s, of missing samples in a contact that is not rejected for them.
 const BRIDGED_S: f64 = 0.05;
-/// Ratio of the force of a contact to the force on another plate, below which the contact is cross-talk.
+/// Ratio of the peak force of a contact to the peak force on another plate, below which the contact is cross-talk.
 const CROSS_TALK: f64 = 0.3;
 /// Overlap of two contacts, as a fraction of the shorter contact, above which both contacts belong to the same foot. In walking, both feet
 /// are on the ground only for less than a third of a stance at its start and at its end.
 const SHARED: f64 = 0.4;
 /// Maximum total duration of two overlapping contacts that form one stance, s.
 const WHOLE_S: f64 = 0.85;
-/// Number of previous and of following contacts with which a contact is compared.
+/// Number of main contacts before and after a contact from which its typical duration is computed.
 const FELLOWS: usize = 4;
 /// Fraction of the maximum force of the recording above which a contact may be a whole step.
 const MAIN: f64 = 0.5;
@@ -64,7 +64,7 @@ impl Usual {
     }
 
     /// Whether two overlapping contacts are together short enough to be one stance. Their total duration is compared with the typical
-    /// duration of adjacent contacts, or with a fixed limit if there are no adjacent contacts.
+    /// duration of adjacent contacts. Without adjacent contacts, the limit is `WHOLE_S`.
     fn is_one_stance(&self, i: usize, j: usize, together_s: f64) -> bool {
         let others = self.about(i).filter(|(k, _)| *k != i && *k != j);
         let usual = low_median(others.map(|m| m.1).collect());
@@ -106,7 +106,7 @@ fn low_median(values: Vec<f64>) -> Option<f64> {
     ranked(values, rank)
 }
 
-/// A contact with its index, its shape, and its relation to other plates.
+/// A contact with its index, its force shape, and its relation to the load on other plates.
 pub(super) struct Judged<'a> {
     pub place: usize,
     pub contact: &'a Contact,
@@ -170,7 +170,7 @@ fn too_long(
         return Some(RejectReason::CrossOver);
     }
     let alone = usual.main.len() < 3 && duration > TWO_STEPS_S;
-    // Double support in the middle of the contact, where the force of one foot has its valley.
+    // In the middle of a stance, the force of one foot has its valley. A maximum there means double support.
     if shape.peaks_in_the_middle && duration > TWO_STEPS_S && !usual.slow {
         return Some(RejectReason::CrossOver);
     }
@@ -222,7 +222,7 @@ pub(super) fn beside(contacts: &[Contact], shapes: &[Shape], usual: &Usual) -> V
     found
 }
 
-/// Whether samples are missing inside a contact.
+/// Reason for the rejection of a contact in which more than `BRIDGED_S` is missing; `None` for other contacts.
 pub(super) fn missing(
     contact: &Contact,
     channel: &Channel,

@@ -1,6 +1,7 @@
 //! Clipping: the amplifier or converter is limited to a level below the peaks of the force.
 //!
-//! After noise, gain, resampling and removal of drift, clipping appears as many readings at one level, none above it, and few just below it.
+//! After noise, gain, resampling and removal of drift, clipping appears as many readings at one level, none above it, and few just below
+//! it.
 
 use super::crowd;
 use crate::statistics::median;
@@ -26,8 +27,8 @@ pub(super) fn clipped(force: &[f64], rate_hz: f64, unloaded_n: f64) -> Option<f6
     let top = force.iter().copied().fold(0.0, f64::max);
     let noise = unloaded_n.max(noise(force, UPPER * top));
     let half = (WIDTH.0 * top).max(WIDTH.1 * noise);
-    // If the level is just below the peaks, many readings are within this width below it. Without later processing the level is exact, so a narrow
-    // width is tried too.
+    // If the level is just below the peaks, many readings are within this width below it. Without later processing, all clipped readings
+    // are exactly at the level, so a narrow width is examined as well.
     [half, 0.5 * resolution(force, UPPER * top)]
         .into_iter()
         .filter(|half| half.is_finite())
@@ -60,8 +61,8 @@ fn resolution(force: &[f64], least: f64) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Standard deviation of white noise, N, in readings above a level. It is computed from second differences, in which the contribution of the force is
-/// small.
+/// Standard deviation of white noise, N, in readings above a level. It is computed from second differences, in which the contribution of
+/// the force is small.
 fn noise(force: &[f64], least: f64) -> f64 {
     let upper = force.windows(3).filter(|w| w.iter().all(|x| *x > least));
     let bends = upper.map(|w| (w[0] - 2.0 * w[1] + w[2]).abs());

@@ -29,7 +29,7 @@ pub(super) fn drift(force: &[f64], rate_hz: f64) -> f64 {
     let Some((sign, slope)) = found else {
         return 0.0;
     };
-    // A steep drift changes the percentile within a window.
+    // A steep drift changes the percentile within a window. The slope is therefore computed again after its removal.
     let steep = (slope * force.len() as f64).abs() > SMALLEST_N;
     let rest = if steep { of(sign, slope) } else { None };
     slope + rest.unwrap_or(0.0)

@@ -40,8 +40,8 @@ pub(super) struct Filled {
     pub drop_outs: Option<(usize, usize)>,
 }
 
-/// Fills missing samples: with zero where the plate is unloaded, otherwise by linear interpolation. At the ends of the recording, the
-/// nearest value is repeated.
+/// Marks spikes and lost packets as missing, and fills all missing samples: with zero where the plate is unloaded, otherwise by linear
+/// interpolation. At the ends of the recording, the nearest value is repeated.
 pub(super) fn fill(force: &mut [f64], rate_hz: f64) -> Filled {
     let spikes = remove_spikes(force, rate_hz);
     let reach = force.iter().copied().filter(|x| x.is_finite());
@@ -68,8 +68,8 @@ pub(super) fn fill(force: &mut [f64], rate_hz: f64) -> Filled {
     filled
 }
 
-/// Whether the plate is unloaded during a run: a foot leaves it before the run and lands after it. At an end of the recording, this
-/// condition is omitted.
+/// Whether the plate is unloaded during a run of missing samples. In this case, a foot leaves the plate before the run, and a foot lands
+/// after it. At an end of the recording, the condition for this side of the run is omitted.
 fn is_unloaded(force: &[f64], run: &Range<usize>, reach: f64, rate_hz: f64) -> bool {
     let apart = ((EDGE.0 * rate_hz).round() as usize).max(1);
     let is_edge = |near: usize, far: Option<usize>| {

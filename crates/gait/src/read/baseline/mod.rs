@@ -230,7 +230,8 @@ fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
             return None;
         }
     }
-    // Mains hum is wider than the band and most frequent at its ends: the level is the median of its readings.
+    // Mains hum is wider than the band, and its most frequent readings are at the ends of the band. The level is then the median of the
+    // readings in the band.
     let near = thin.iter().copied().filter(|x| (x - level).abs() <= band);
     let near: Vec<f64> = near.collect();
     let level = match median(near.clone()) {
@@ -247,8 +248,8 @@ fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
     Some((level, 1.4826 * ranked(off, middle)?))
 }
 
-/// Mean reading, N, of all spans that stay near a level for at least a fifth of a second; `None` if there is no such span. The ends of the
-/// spans, where a foot lands or leaves, are omitted.
+/// Mean reading, N, of all spans in which the reading stays near a level; `None` if there is no such span. The first and the last 0.05 s of
+/// a span, in which a foot lands or leaves, are omitted. At least 0.2 s must remain.
 fn resting_level(force: &[f64], level: f64, band: f64, rate_hz: f64) -> Option<f64> {
     let edge = (REST.1 * rate_hz) as usize;
     let spans = force.chunk_by(|a, b| (a - level).abs() <= band && (b - level).abs() <= band);

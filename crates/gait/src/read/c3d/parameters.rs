@@ -142,7 +142,7 @@ impl<'a> Parameters<'a> {
         read(name).into_iter().chain(more).collect()
     }
 
-    /// All numeric parameters, in any group, with a matching name.
+    /// All numeric parameters, in any group, whose name satisfies the condition `fits`.
     pub fn named<'s>(
         &'s self,
         fits: impl Fn(&str) -> bool + 's,

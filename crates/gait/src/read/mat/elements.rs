@@ -1,7 +1,7 @@
 //! Arrays of a MAT file of level 5 (MATLAB 5.0 to 7.2, `save -v7`).
 //!
-//! Format: "MAT-File Format" (The MathWorks), level 5. After a header of 128 bytes, each data element consists of a tag and its data, which may be
-//! compressed. Every count is checked against the length of the file before it is used.
+//! Format: "MAT-File Format" (The MathWorks), level 5. After a header of 128 bytes, each data element consists of a tag and its data, which
+//! may be compressed. Every count is checked against the length of the file before it is used.
 
 use miniz_oxide::inflate::TINFLStatus;
 use miniz_oxide::inflate::core::inflate_flags as flags;
@@ -40,7 +40,8 @@ pub(super) enum Content {
 /// An array, with the names of the structs that contain it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Array {
-    /// Names from the variable to the field. In an array of structs, the number of the struct, counted from 1, follows the name.
+    /// Names of the variable, of the structs and of the field. In an array of structs or a cell array, the index of the element, counted
+    /// from 1, follows the name.
     pub path: Vec<String>,
     pub content: Content,
 }

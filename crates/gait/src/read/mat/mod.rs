@@ -93,7 +93,7 @@ pub(super) fn table(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<
         true => by_numbers(&series),
         false => None,
     };
-    // The table of a MAT file has no lines.
+    // A MAT file has no lines, so the location of an error is the whole file.
     let chosen = choose(&without_text(path, options), &table)
         .map_err(|fault| fault.placed(Place::File(path.to_path_buf())))?;
     let columns = numbered.or(chosen).ok_or_else(without_force)?;
@@ -191,7 +191,7 @@ fn head(arrays: &[Array], owner: &[String]) -> Vec<String> {
     };
     let mut scalars: Vec<(&Array, f64)> = arrays.iter().filter_map(scalar).collect();
     scalars.sort_by_key(|(array, _)| std::cmp::Reverse(shared(array)));
-    // Cells have numbers as names; the variable that contains them has a proper name.
+    // The elements of a cell array have numbers as names. The name of the variable that contains them is used instead.
     let is_name = |part: &&String| part.parse::<usize>().is_err();
     let line = |(array, x): (&Array, f64)| {
         let name = array.path.iter().rev().find(is_name);

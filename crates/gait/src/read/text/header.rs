@@ -118,7 +118,7 @@ fn is_wordy(row: &[String], delimiters: Delimiters) -> bool {
             .is_some_and(|c| c.contains('=') || c.eq_ignore_ascii_case("endheader"))
 }
 
-/// Minimum number of fields for which counted numbers are the names of sensors.
+/// Minimum number of consecutive numbers in a row that count as names of sensors.
 const FEWEST_COUNTED: usize = 6;
 
 /// Whether the numbers in a row increase by one from 0 or 1, possibly with words between them, as the names of sensors do.

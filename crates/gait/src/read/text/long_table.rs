@@ -27,7 +27,7 @@ const RATES: [&str; 3] = ["dot", "rate", "velocity"];
 /// Minimum number of rows of a cycle.
 const FEWEST: usize = 4;
 
-/// A text with the cycles of a long table.
+/// A long table in a text, with the indices of the columns that distinguish its cycles.
 pub(in crate::read) struct LongTable<'a> {
     file: TextFile<'a>,
     /// Header of the table, and position of the first row.
@@ -174,7 +174,7 @@ impl<'a> LongTable<'a> {
     ///
     /// # Errors
     ///
-    /// Several tasks; forces of several sides; a value that is not a number; phases that decrease.
+    /// Several tasks; forces of several sides; a value that is not a number; phases that do not increase; too few rows in a cycle.
     pub fn mean(&self) -> Result<(Samples, usize)> {
         let path = self.file.path;
         let [phase, force] = self.columns()?;

@@ -79,7 +79,7 @@ fn commas_twice(file: &TextFile, table: &Table) -> Option<ReadError> {
 /// Error for a text without a force column. `seen` contains the column names of its tables.
 pub(super) fn no_force(file: &TextFile, seen: &[String]) -> Error {
     let (path, bytes) = (file.path, file.bytes);
-    // The columns of a table whose rows start with words cannot be determined from numbers; its first line may name them.
+    // If the rows of a table start with words, its columns cannot be determined from numbers. The first line may contain their names.
     let first = bytes.split(|&b| b == b'\n').next().unwrap_or(bytes);
     let head = Fields::new(first, file.delimiters)
         .take(40)

@@ -1,4 +1,5 @@
-//! Tables of numbers for other readers. Every row is returned with its line number; only blank lines and comments are skipped.
+//! Tables of numbers for the readers of other files, such as machine records and lift tables. Every row is returned with its line number; only blank lines and
+//! comments are skipped.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -81,7 +82,7 @@ impl<'a> NumberTable<'a> {
         }
     }
 
-    /// Index of the column with a given name (upper and lower case are equal) or number, counted from 1.
+    /// Index of the column with a given name, regardless of upper and lower case, or with a given number, counted from 1.
     ///
     /// # Errors
     ///

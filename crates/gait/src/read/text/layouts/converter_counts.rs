@@ -42,7 +42,7 @@ pub(super) fn table(file: &TextFile) -> Option<Table> {
                     names,
                 });
             }
-            // A line with several keys, one of which is the rate of the rows.
+            // A line with several keys, one of which is the sampling rate.
             _ if fields.any(|f| f == "PreciseRate:") => {
                 head.extend(fields.next().map(|rate| format!("rate = {rate}")));
             }

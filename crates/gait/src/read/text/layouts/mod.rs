@@ -24,7 +24,7 @@ pub(super) struct Layout {
     is_of: fn(&Seen) -> bool,
     /// Function that locates the table, if it is not the first table below a header.
     table: fn(&TextFile) -> Option<Table>,
-    /// Function that adds the properties that the layout implies: columns, units, names, feet.
+    /// Function that adjusts the samples to the layout: columns, units, names, feet.
     complete: fn(&TextFile, &[String], &mut Samples) -> Result<()>,
     /// Function that reads the whole table, if a row of the layout is not a sample.
     read: Option<ReadTable>,

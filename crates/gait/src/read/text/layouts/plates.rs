@@ -36,7 +36,7 @@ const HEAD: usize = 60;
 /// Maximum number of bytes of the header of a plate file.
 const HEAD_BYTES: usize = 1 << 14;
 
-/// Plate that the start of a text describes; `None` for other texts.
+/// Properties of the plate file that begins with a given text; `None` for other texts.
 pub fn plate_of(start: &[u8]) -> Option<PlateFile> {
     let bytes = plain(start);
     let lines = Lines::new(&bytes).take(HEAD).map(|(_, line)| text(line));
@@ -86,7 +86,7 @@ pub(super) fn complete(_: &TextFile, head: &[String], samples: &mut Samples) -> 
     Ok(())
 }
 
-/// Plate whose name is in a header.
+/// Properties of the plate file with a given header; `None` if the header contains no time stamp or no name of a plate.
 fn of_head(head: &[String]) -> Option<PlateFile> {
     let value = |key: &str| {
         let found = head.iter().find_map(|line| {
