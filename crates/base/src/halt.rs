@@ -4,7 +4,8 @@ use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-/// Stop condition, polled by every iterative computation between its steps. When it is true, the computation returns its best result so far.
+/// Stop condition, polled by every iterative computation between its steps. When it is true, the computation returns its best result so
+/// far.
 ///
 /// ```
 /// use gaitcam_base::halt::Halt;
@@ -41,7 +42,8 @@ impl Halt {
 
     /// The condition with a limit on the number of polls. After `looks` polls it is always true.
     ///
-    /// For the same input, a computation polls equally often on every machine. Its result is then the same on every machine.
+    /// For the same input, a computation polls equally often on every machine. With this limit, the result does not depend on the speed of
+    /// the machine.
     ///
     /// ```
     /// use gaitcam_base::halt::Halt;

@@ -60,7 +60,7 @@ pub struct Walk {
 /// ```
 /// use gaitcam_gait::Walk;
 ///
-/// // Ten strides of 1 s; the force of odd ones alternates by 100 N, of even ones by 120 N.
+/// // Ten strides of 1 s. The amplitude of the force is 100 N and 120 N in alternate strides.
 /// let swing = |k: usize| if k % 2 == 0 { 100.0 } else { 120.0 };
 /// let wave = |k: usize, t: f64| 700.0 + swing(k) * (2.0 * std::f64::consts::TAU * t).cos();
 /// let strikes: Vec<[f64; 3]> = (0..10).map(|k| [0.0, 0.5, 1.0].map(|t| t + k as f64)).collect();
@@ -173,7 +173,7 @@ impl Walk {
     /// Part of the walk with a given number of consecutive strides. Of all such parts, the part whose mean stride time is nearest to the
     /// mean of the whole walk is returned.
     ///
-    /// The force is blended where the last stride is joined to the first one. `None` if the walk has fewer strides.
+    /// The force is blended where the last stride is joined to the first one. `None` if the walk has fewer strides or `strides` is 0.
     pub fn typical(&self, strides: usize) -> Option<Walk> {
         let starts = self.strides_s();
         let usual = self.duration_s / self.strides() as f64;

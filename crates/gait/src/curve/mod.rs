@@ -240,8 +240,8 @@ mod tests {
         assert!(fine < 2e-4 && fine < coarse / 60.0, "{coarse} {fine}");
     }
 
-    /// Error of the cubics for a sum of harmonics: n⁴h⁴/384 of each harmonic with h = 2π/1024, plus the fifth-order error of the slopes. It is the
-    /// same at a maximum as elsewhere.
+    /// Error of the cubics for a sum of harmonics: n⁴h⁴/384 of each harmonic n with h = 2π/1024, plus the fifth-order error of the slopes.
+    /// It is the same at a maximum as elsewhere.
     #[test]
     fn sums_of_harmonics_are_interpolated_to_fourth_order() {
         let (mut worst, mut cases) = (0.0_f64, 0);

@@ -66,8 +66,8 @@ struct Crowd {
     period: f64,
     /// Whether most cycles with a known mass are of both feet.
     both_feet: bool,
-    /// Whether most cycles are of one foot. A cycle with a known mass is classified by its mean force. A cycle without mass and movement counts as one foot
-    /// if its force falls almost to zero.
+    /// Whether most cycles are of one foot. A cycle with a known mass is classified by its mean force. A cycle without mass and movement
+    /// counts as one foot if its force falls almost to zero.
     one_foot: bool,
     /// Whether most cycles consist of two similar halves, as a stride of two steps does.
     halves: bool,

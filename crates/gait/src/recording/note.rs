@@ -362,7 +362,7 @@ impl PeriodSource {
 /// use gaitcam_gait::{CycleSource, Feet, ReadOptions, cycle, read, stances};
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
-/// // The recording of 10.5 s contains nine whole strides of 1.05 s.
+/// // The mean is computed from nine whole strides of 1.05 s in a recording of 10.5 s.
 /// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
 /// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
 /// assert!(matches!(mean.source, CycleSource::WholeStrides { strides: 9, .. }));

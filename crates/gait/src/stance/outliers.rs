@@ -67,7 +67,7 @@ pub(super) fn of_one_speed(out: &mut Stances, recording: &Recording) {
     out.notes.extend((!steady).then(changes));
 }
 
-/// Whether all strides have one speed, according to the stride times instead of the durations of the contacts.
+/// Whether nearly all strides have the same speed, according to the stride times instead of the durations of the contacts.
 fn keeps_rhythm(out: &Stances, channels: usize) -> bool {
     let mut strides: Vec<f64> = (0..channels).flat_map(|k| usual_strides(out, k)).collect();
     strides.sort_by(f64::total_cmp);

@@ -92,12 +92,12 @@ pub(super) fn ballistic(
     if runs {
         return Some(Kind::Running);
     }
-    // Few contacts do not show a rhythm: a contact whose force rises immediately is the landing of a jump on one leg.
+    // A few contacts do not show a rhythm. If their force rises immediately, they are landings of a jump on one leg.
     let lands = |(_, s): &(&Contact, &Shape)| s.p1.at < EARLY;
     if main.len() <= FEW && !main.is_empty() && main.iter().all(lands) {
         return Some(Kind::Jumping);
     }
-    // Hops on the spot: as long as steps, but each with a single sharp peak.
+    // Hops on the spot last as long as steps, but each has a single sharp peak.
     (peaked && main.len() >= 2).then_some(Kind::Jumping)
 }
 
@@ -126,7 +126,7 @@ pub(super) fn without_stance(contacts: &[Contact], recording: &Recording) -> Opt
     if steady(&levels) {
         return Some(Kind::Standing);
     }
-    // Two constant levels: seated and standing.
+    // Rising from a seat shows two constant levels: the force when seated and when standing.
     let (low, high) = (at(0.08), at(0.9));
     let near = |x: f64| {
         let close = levels.iter().filter(|l| (*l - x).abs() < 0.15 * high);
@@ -143,7 +143,7 @@ pub(super) fn without_stance(contacts: &[Contact], recording: &Recording) -> Opt
     })
 }
 
-/// Whether a force level is nearly constant.
+/// Whether several levels of force are nearly equal.
 fn steady(levels: &[f64]) -> bool {
     let (mean, deviation) = mean_and_deviation(levels);
     deviation < QUIET * mean

@@ -1,5 +1,5 @@
-//! Tables of numbers for the readers of other files, such as machine records and lift tables. Every row is returned with its line number; only blank lines and
-//! comments are skipped.
+//! Tables of numbers for the readers of other files, such as machine records and lift tables. Every row is returned with its line number.
+//! Only blank lines and comments are skipped.
 
 use std::borrow::Cow;
 use std::path::Path;
