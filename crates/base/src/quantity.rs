@@ -20,7 +20,7 @@ pub(crate) type Exponents = [i32; 4];
 #[strum(serialize_all = "kebab-case")]
 #[allow(missing_docs)] // the names are the documentation
 pub enum Dimension {
-    /// A plain number or a percentage.
+    /// A dimensionless number, written as a plain number or as a percentage.
     Ratio,
     /// A fraction that must be written with %, because a number without % would be ambiguous.
     Percent,

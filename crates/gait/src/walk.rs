@@ -77,7 +77,7 @@ pub struct Variability {
     /// Mean duration of a step, s.
     pub step_time_s: f64,
     /// Standard deviation of the step time, relative to the mean step time. Deviations are from the mean step time of the same foot. If
-    /// only one foot was recorded, half the stride time is used instead of the step time.
+    /// only one foot was recorded, stride times are used instead of step times.
     pub step_time_cv: f64,
     /// Coefficient of variation, over the strides, of the amplitude of the force at the step frequency of each stride.
     pub amplitude_cv: f64,

@@ -41,7 +41,7 @@ pub struct Messages {
     language: Language,
     /// Messages of the crates of the catalogue.
     crates: &'static [Sentences],
-    /// Messages parsed so far. Parsing all messages takes longer than most designs.
+    /// Messages parsed so far. Parsing all messages would take longer than computing most designs.
     bundle: RwLock<FluentBundle<FluentResource>>,
     /// Fluent texts of all messages, by key.
     texts: BTreeMap<&'static str, &'static str>,

@@ -22,7 +22,7 @@ pub enum LengthUnit {
 
 static LENGTH_UNIT: OnceLock<LengthUnit> = OnceLock::new();
 
-/// Sets the unit of displayed lengths for the whole process. It cannot be changed afterwards: a second call has no effect.
+/// Sets the unit of displayed lengths for the whole process. A second call has no effect.
 pub fn display_lengths_in(unit: LengthUnit) {
     let _ = LENGTH_UNIT.set(unit);
 }
@@ -82,7 +82,8 @@ pub const DIGITS: usize = 4;
 /// Number of significant digits of values in errors and suggested changes, because users enter these values again.
 pub(super) const EXACT: usize = 6;
 
-/// A number for display with at most four significant digits and no trailing zeros. `−0` becomes 0; the Spanish text has a decimal comma.
+/// A number for display with at most four significant digits and no trailing zeros. `−0` becomes 0, and the Spanish text has a decimal
+/// comma.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, number};

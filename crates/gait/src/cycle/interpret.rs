@@ -7,9 +7,9 @@ use crate::recording::{Channel, CycleSource, Feet, Recording};
 use crate::stance::{Footfall, RejectReason, Stance, Stances, footfalls};
 use crate::statistics::ends;
 
-/// Number of time intervals of a channel in a figure; for each interval, the minimum and maximum force are drawn.
+/// Number of time intervals of a channel in a figure. For each interval, the minimum and maximum force are drawn.
 const PIECES: usize = 700;
-/// Maximum number of single stances in a figure; the means are computed from all stances.
+/// Maximum number of single stances in a figure. The means are computed from all stances.
 const DRAWN: usize = 60;
 
 impl Interpretation {

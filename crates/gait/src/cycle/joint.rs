@@ -104,7 +104,7 @@ pub enum LeftOut {
 pub struct JointMean {
     /// Mean cycle. Its spread is the standard deviation of all cycles, within and between recordings.
     pub curve: ForceCurve,
-    /// Reason for the exclusion of each trial, in the given order; `None` if the trial is included.
+    /// Reason for the exclusion of each trial, in the order of the trials; `None` if the trial is included.
     pub left_out: Vec<Option<LeftOut>>,
     /// Force of each included trial, N, at the phases of the mean cycle, with the same scaling as the mean cycle.
     pub trials_n: Vec<Vec<f64>>,

@@ -1,7 +1,7 @@
 //! Mean cycle of a recording, with its step-to-step spread at each phase.
 //!
-//! If the plates (or insoles) cover whole strides, both feet are summed and the strides are averaged. Otherwise a stride is built from
-//! single stances: the mean left stance and the mean right stance, half a stride apart.
+//! If plates or insoles record whole strides, the forces of both feet are added and the strides are averaged. Otherwise, a stride is built
+//! from single stances: the mean left stance and the mean right stance, half a stride apart.
 
 mod average;
 mod balance;
@@ -59,7 +59,7 @@ pub use plausibility::implausible;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycle {
-    /// Mean cycle. Its period is a stride; its spread is the standard deviation from step to step.
+    /// Mean cycle. Its period is one stride, and its spread is the standard deviation from step to step.
     pub curve: ForceCurve,
     /// Number of averaged cycles. If a stride was built from single stances, it is the number of stances.
     pub averaged: usize,

@@ -9,7 +9,7 @@ use crate::units::G;
 
 /// Maximum relative difference between mean force and weight that a calibration error can cause.
 const TOLERANCE: f64 = 0.1;
-/// Range of masses of people on force plates, kg.
+/// Plausible range of the mass of a person on force plates, kg.
 const MASS_KG: Range<f64> = 10.0..250.0;
 /// Range of masses of adults, kg. A mass in this range confirms an assumed unit of force.
 pub(super) const ADULT_KG: Range<f64> = 30.0..160.0;

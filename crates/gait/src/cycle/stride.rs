@@ -28,7 +28,7 @@ pub(super) const ODD_STRIDE: f64 = 0.25;
 /// Strides for which every footfall is recorded.
 ///
 /// A stride requires four consecutive footfalls, each of which overlaps the next one. The stride lasts from the second to the fourth heel
-/// strike. The first footfall contributes to the first double support of the stride; its earlier part may be missing. The fourth footfall
+/// strike. The first footfall contributes to the first double support of the stride. Its earlier part may be missing. The fourth footfall
 /// starts the next stride.
 pub(super) fn whole_strides(recording: &Recording, stances: &Stances) -> Vec<Stride> {
     use RejectReason::{CrossTalk, CutAtEnd, CutAtStart, TooShort};

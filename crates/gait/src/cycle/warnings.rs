@@ -41,7 +41,7 @@ pub(super) fn warnings(
         let sum = used.iter().map(|s| of(s)).sum::<f64>();
         (!used.is_empty() && !total).then(|| sum / used.len() as f64)
     };
-    // The subjects of a table have different masses; each subject has a different peak.
+    // The subjects of a table have different masses and therefore different peak forces.
     let peak_n = mean(Stance::peak_n).filter(|_| !recording.has_rows());
     let slow = recording.kind == Some(Kind::Walking);
     let ranges = ranges(cycle.kind, cycle.mass_kg, slow);
@@ -73,13 +73,13 @@ fn few_alike(stances: &Stances) -> Option<Note> {
     (3 * used < 2 * stances).then_some(Note::FewAlike { used, stances })
 }
 
-/// Maximum coefficient of variation of strides at a constant speed; steady walkers have 0.01 to 0.03.
+/// Maximum coefficient of variation of strides at a constant speed. It is 0.01 to 0.03 for steady walkers.
 const ONE_SPEED: f64 = 0.05;
 
 /// Warning if the strides vary more than at a constant speed.
 fn varies(cycle: &Cycle) -> Option<Note> {
     let (period, spread) = (cycle.period.seconds, cycle.period.spread_s?);
-    // The steps of a limping walker differ; the strides do not.
+    // The steps of a limping walker differ, but the strides do not. Doubled steps are therefore not examined.
     let strides = cycle.period.from != PeriodSource::DoubledSteps;
     (strides && spread > ONE_SPEED * period).then(|| Note::StrideVaries {
         period: seconds(period),

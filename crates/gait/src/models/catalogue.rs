@@ -18,7 +18,7 @@ pub enum Status {
     Seen,
     /// The coefficients are quoted from memory and should be verified before they are cited.
     Recalled,
-    /// Some coefficients were read, others are quoted from memory; `ModelInfo::source` describes which.
+    /// Some coefficients were read, and others are quoted from memory. `ModelInfo::source` describes which.
     Mixed,
 }
 

@@ -5,7 +5,7 @@
 //! - The *continuous* models describe the force of both feet together: `F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ))`. This is a Fourier series
 //!   with the body weight G, the step frequency f, the load factors aᵢ and the phases pᵢ. One cycle is one step, with the duration 1/f.
 //! - The *single-foot* models describe one stance. One cycle is one stride, with the duration 2/f and zero force in the swing phase. The
-//!   force of both feet is the sum of two stances half a stride apart; its period is one step.
+//!   force of both feet is the sum of two stances half a stride apart. Its period is one step.
 
 mod catalogue;
 mod continuous;

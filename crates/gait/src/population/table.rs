@@ -1,7 +1,7 @@
 //! Table of a population, with one cycle per row.
 //!
 //! The columns are `walker,speed_m_per_s,mass_kg,period_s,f_000,…,f_100`. The `f` columns contain the force, N, at equal steps of the
-//! cycle; the last value repeats the first one. `speed_m_per_s`, `mass_kg` and `weight` may be missing or empty.
+//! cycle. The last value repeats the first one. `speed_m_per_s`, `mass_kg` and `weight` may be missing or empty.
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;

@@ -85,7 +85,7 @@ fn split(line: &str) -> Option<(&str, &str)> {
     line.rsplit_once(' ').map(|(k, v)| (k.trim(), v.trim()))
 }
 
-/// Number at the start of a value; a unit may follow.
+/// Number at the start of a value. A unit may follow the number.
 pub(super) fn number(typed: &str, comma: bool) -> Option<f64> {
     let first = typed.split(['\t', ';', ' ']).next().unwrap_or("");
     let end = first

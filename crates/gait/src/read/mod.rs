@@ -79,7 +79,7 @@ fn foreign(bytes: &[u8]) -> Option<FileKind> {
     if let Some((_, kind)) = known.iter().find(|(mark, _)| start.starts_with(mark)) {
         return Some(*kind);
     }
-    // UTF-16 has its byte-order mark. Other text contains hardly any control characters; binary numbers contain many.
+    // UTF-16 has its byte-order mark. Other text contains hardly any control characters, but binary numbers contain many.
     let wide = bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF");
     let head = &bytes[..bytes.len().min(4096)];
     let control = |b: &&u8| **b < 9 || (14..32).contains(*b);

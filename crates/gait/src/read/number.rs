@@ -11,7 +11,7 @@ pub(super) enum Field {
     Text,
 }
 
-/// Maximum length of a numeric field; a longer field is text.
+/// Maximum length of a numeric field, bytes. A longer field is text.
 const LONGEST: usize = 64;
 
 /// Powers of ten up to the maximum number of decimals that [`short`] accepts.

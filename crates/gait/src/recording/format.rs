@@ -23,7 +23,7 @@ use crate::wording::{Language, sentence};
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Format {
-    /// C3D file; its number format depends on the computer that wrote it.
+    /// C3D file. Its number format depends on the computer that wrote it.
     C3d {
         /// Number format of the computer that wrote the file.
         processor: Processor,

@@ -66,7 +66,7 @@ pub enum OpenQuestion {
     Kind,
     /// Whether the duration of a stride is correct.
     Clock,
-    /// Whether the mass of the walker is correct; it scales the forces.
+    /// Whether the mass of the walker is correct, because the mass scales the forces.
     Mass,
     /// Whether the readings are clipped below the peaks of the force. A recording with this question cannot be accepted.
     Clipped,

@@ -3,7 +3,7 @@
 use super::types::RejectReason;
 use crate::recording::Channel;
 
-/// Contact threshold, N; the value is from the README of the recordings of this project.
+/// Contact threshold, N. The value is from the README of measured recordings, which is not in this repository.
 const CONTACT_N: f64 = 20.0;
 /// Fraction of the contact threshold below which a contact ends. Because it is less than 1, noise does not split a stance.
 const HYSTERESIS: f64 = 0.5;

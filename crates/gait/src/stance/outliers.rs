@@ -11,7 +11,7 @@ const ONE_SPEED: f64 = 0.1;
 const OUTSIDE: f64 = 0.15;
 /// Minimum number of stances from which a change of speed is detected.
 const FEWEST: usize = 8;
-/// Function that computes a quantity of a stance; outliers are detected from these quantities.
+/// Function that computes a quantity of a stance from which outliers are detected.
 type Measure = fn(&Stance) -> f64;
 /// Quantities, each with its maximum relative deviation from the median. A stance with a larger deviation is excluded from the mean of one
 /// foot.

@@ -31,7 +31,7 @@ const BEFORE_JUMP_S: f64 = 0.8;
 /// Ratio of the peak force after a flight to the median force before the flight, above which the flight is a jump.
 const LANDING: f64 = 1.6;
 /// Maximum time from contact to the impact peak of a landing from a height, s. It is less than the time to push-off in the shortest walking
-/// contact (0.32 s, which is 0.76 of `BRISK_S`). In synthetic landings the time is 0.06 s; measured landings were not available.
+/// contact (0.32 s, which is 0.76 of `BRISK_S`). In synthetic landings, the time is 0.06 s. Measured landings were not available.
 const IMPACT_S: f64 = 0.25;
 /// Ratio of the impact peak to the mean force of the contact, above which the contact is a landing. It is at most 1.67 for fast walking
 /// (1.7 to 2.3 m/s, Pataky et al. 2008), and 2.6 to 3.6 for synthetic landings.
@@ -48,7 +48,7 @@ const MAIN: f64 = 0.4;
 const QUIET: f64 = 0.12;
 /// Fraction of the weight below which the person is seated.
 const SEATED: f64 = 0.6;
-/// Number of times at which the total force is sampled to determine its level.
+/// Number of equally spaced times at which the total force is evaluated to determine its level.
 const LOOKS: usize = 400;
 
 /// Running, jumping or sit-to-stand, if the contacts show such a movement; `None` if the stances must determine the movement.

@@ -50,7 +50,7 @@ fn stops_at(force: &[f64], rate_hz: f64, top: f64, half: f64) -> Option<f64> {
     (stops && at >= FEWEST && held_s > HELD_S).then_some(level)
 }
 
-/// Minimum difference, N, between two unequal readings above a level: the resolution of the converter.
+/// Resolution of the converter, N: the minimum difference between two unequal readings above the level `least`.
 fn resolution(force: &[f64], least: f64) -> f64 {
     let mut upper: Vec<f64> = force.iter().copied().filter(|x| *x > least).collect();
     upper.sort_unstable_by(f64::total_cmp);

@@ -1,4 +1,4 @@
-//! Missing samples. Between contacts, missing samples mean an unloaded plate; elsewhere they are interpolated.
+//! Missing samples. Between contacts, missing samples mean an unloaded plate. Elsewhere, they are interpolated.
 //!
 //! Two kinds of readings also count as missing. A spike consists of one or a few samples that differ strongly from the samples before and
 //! after it. Zeros in the middle of a load are lost packets.
@@ -20,7 +20,7 @@ const DENSE_HZ: f64 = 180.0;
 const SPIKE: (f64, f64) = (0.5, 100.0);
 /// Maximum duration of a spike, s, and maximum number of its samples. At a low sampling rate, a spike is a single sample.
 const LASTS: (f64, usize) = (0.0061, 6);
-/// Maximum fraction of the samples that are spikes; a larger fraction is treated as noise.
+/// Maximum fraction of the samples that are spikes. A larger fraction is treated as noise.
 const RARE: f64 = 0.005;
 
 /// Maximum duration, s, of zeros between loaded readings that cannot be a swing phase, and minimum sampling rate, Hz, at which they are

@@ -31,7 +31,7 @@ const REST: (f64, f64, f64) = (0.2, 0.05, 1.0);
 /// during the walk, for which a note is added.
 const ENDS: (f64, f64) = (0.2, 8.0);
 
-/// Maximum number of readings from which baseline and sign are determined; longer recordings are thinned evenly.
+/// Maximum number of readings from which baseline and sign are determined. Longer recordings are thinned evenly.
 const SAMPLE: usize = 1 << 15;
 
 /// Maximum number of readings that are examined for clipping, and the sampling rate, Hz, to which faster readings are thinned.

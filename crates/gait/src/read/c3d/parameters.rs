@@ -2,7 +2,7 @@
 
 use crate::recording::Processor;
 
-/// Maximum number of values that are read of one parameter; real files contain a few hundred.
+/// Maximum number of values that are read of one parameter. Real files contain a few hundred.
 const MOST_VALUES: usize = 1 << 16;
 
 /// Parameter: group number, name and position of its values.

@@ -12,7 +12,7 @@ use crate::recording::{Axis, Note, ReadOptions};
 /// Channels of a plate with their factors. The vertical force is the sum of the products of channel and factor.
 type Weights = Vec<(usize, f64)>;
 
-/// Maximum number of plates that are read; laboratories have up to a dozen.
+/// Maximum number of plates that are read. Laboratories have up to a dozen.
 const MOST_PLATES: usize = 64;
 
 /// Raw vertical forces: of the channels named by the user, otherwise of every plate. Without plates, the channels whose labels denote a

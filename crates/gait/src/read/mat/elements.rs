@@ -100,7 +100,7 @@ pub(super) fn arrays(bytes: &[u8]) -> Vec<Array> {
     found
 }
 
-/// Decompressed content of a zlib stream, up to the maximum size. If the stream is damaged, only the content before the damage is returned.
+/// Decompressed content of a zlib stream, up to `LARGEST` bytes. If the stream is damaged, only the content before the damage is returned.
 fn inflate(data: &[u8]) -> Vec<u8> {
     let options =
         flags::TINFL_FLAG_PARSE_ZLIB_HEADER | flags::TINFL_FLAG_USING_NON_WRAPPING_OUTPUT_BUF;
@@ -213,7 +213,7 @@ fn matrix(
                         bytes: field.1,
                         big,
                     };
-                    // A field without content is empty; the following fields are still read.
+                    // A field without content is ignored, and the following fields are still read.
                     let _ = matrix(inner, &place, Some(name.clone()), depth + 1, found);
                 }
             }

@@ -35,7 +35,7 @@ pub(super) struct Layout {
 /// Function that reads a table and the lines above it.
 type ReadTable = fn(&TextFile, &Table, &[String]) -> Result<Recording>;
 
-/// Any delimited text; its columns are interpreted by their names.
+/// Any delimited text. Its columns are interpreted by their names.
 const DELIMITED: Layout = Layout {
     program: None,
     is_of: |_| true,

@@ -6,7 +6,7 @@ use crate::read::text::delimited::TextFile;
 use crate::read::text::header::Table;
 use crate::recording::Recording;
 
-/// Minimum number of numbered columns that are sensors; two or four columns may be plates.
+/// Minimum number of numbered columns that count as sensors. Two or four columns may be plates.
 const FEWEST: usize = 6;
 
 /// Whether the columns are sensors: there is a column of times or frames, at least `FEWEST` column names are numbers, and no name denotes a

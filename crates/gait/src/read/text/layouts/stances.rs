@@ -25,7 +25,8 @@ const FEWEST_SAMPLES: usize = 40;
 /// Usual sampling rates of force plates, Hz. The number of samples of a stance determines which rate is assumed.
 const RATES: [f64; 6] = [50.0, 100.0, 250.0, 500.0, 1000.0, 2000.0];
 
-/// Typical duration of a stance in level walking, s. It is 0.43 to 0.81 s in the recordings of `lab/recordings/README.md`.
+/// Typical duration of a stance in level walking, s. It is 0.43 to 0.81 s in measured recordings, according to their README, which is not
+/// in this repository.
 const USUAL_STANCE_S: f64 = 0.65;
 
 /// Whether the names of the columns are numbered samples of a vertical force: the same words followed by 1, 2, 3 …
@@ -195,7 +196,7 @@ fn scale(
     Ok((unit, from))
 }
 
-/// Usual sampling rate, Hz, at which the median stance has a typical duration.
+/// Sampling rate, Hz, from `RATES`, at which the duration of the median stance is nearest to `USUAL_STANCE_S`.
 fn likely_rate(rows: &[Row], notes: &mut Vec<Note>) -> f64 {
     let mut lengths: Vec<usize> = rows.iter().map(|r| r.to - r.from).collect();
     lengths.sort_unstable();
@@ -224,7 +225,7 @@ fn likely_rate(rows: &[Row], notes: &mut Vec<Note>) -> f64 {
 fn masses(bytes: &[u8]) -> HashMap<String, f64> {
     let bytes = &*plain(bytes);
     let delimiters = detect(bytes);
-    // The first column contains names. The header is therefore the first line; it is not detected by its numbers.
+    // The first column contains names. The header is therefore the first line and is not detected from the numbers below it.
     let mut lines = Lines::new(bytes);
     let header = lines.next().map_or(&b""[..], |(_, line)| line);
     let names = Fields::new(header, delimiters).map(|f| text(trim(f)).to_lowercase());
