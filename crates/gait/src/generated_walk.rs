@@ -50,7 +50,8 @@ impl Walk {
     /// steps.
     ///
     /// The step times have a long-range correlation. The amplitudes of the steps are independent. The step times and the amplitudes have
-    /// exactly the given coefficients of variation. `None` for fewer than eight strides or if the duration of a step is not positive.
+    /// exactly the given coefficients of variation. `None` for fewer than eight strides, or if the random duration of a step is not
+    /// positive.
     ///
     /// ```
     /// use gaitcam_gait::{StepStatistics, Walk};
@@ -93,7 +94,7 @@ impl Walk {
         Walk::of(&strides, false, |stride, time| {
             let step = 2 * stride + usize::from(time >= strikes[2 * stride + 1]);
             let part = (time - strikes[step]) / (strikes[step + 1] - strikes[step]);
-            // The amplitude changes linearly from one heel strike to the next, so that the force has no step.
+            // The amplitude changes linearly from one heel strike to the next, so that the force is continuous.
             let [a, b] = [parts[step], parts[(step + 1) % count]];
             level + (a + part * (b - a)) * (force(step as f64 + part) - level)
         })

@@ -10,7 +10,7 @@ use crate::recording::{
 };
 use crate::stance::{Point, RejectReason};
 
-/// How a recording was interpreted: file, movement, columns, stride duration, detected stances, assumptions and open questions.
+/// Interpretation of a recording: file, movement, columns, stride duration, detected stances, assumptions and open questions.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, Kind, ReadOptions, force_curve};
@@ -92,7 +92,7 @@ pub struct Clock {
 /// use gaitcam_gait::{Feet, ReadOptions, force_curve};
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
-/// // The plates of this made recording read +4 N and −6 N when unloaded.
+/// // The unloaded readings of the plates in this generated recording are +4 N and −6 N.
 /// let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
 /// let baselines: Vec<f64> = curve.recording.unwrap().columns.iter().map(|c| c.baseline_n).collect();
 /// assert!((baselines[0] - 4.0).abs() < 0.5 && (baselines[1] + 6.0).abs() < 0.5);
@@ -120,7 +120,7 @@ pub struct Column {
 /// use gaitcam_gait::{Feet, ReadOptions, RejectReason, force_curve};
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
-/// // The recording begins while the right foot stands.
+/// // The right foot is on the ground when the recording begins.
 /// let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
 /// let first = curve.recording.unwrap().contacts[0].clone();
 /// assert_eq!((first.from_s, first.rejected), (0.0, Some(RejectReason::CutAtStart)));
@@ -150,7 +150,7 @@ pub struct Contact {
 /// use gaitcam_gait::{Feet, ReadOptions, StrideReject, force_curve};
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
-/// // Strides that begin with the other foot share the samples of the averaged ones.
+/// // Strides that begin with the other foot share samples with the averaged strides.
 /// let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
 /// let strides = curve.recording.unwrap().strides.clone();
 /// let used = strides.iter().filter(|s| s.rejected.is_none()).count();
@@ -262,7 +262,8 @@ pub struct MeanStanceCurve {
     pub mean_n: Vec<f64>,
     /// Standard deviation from stance to stance, N, for two or more stances.
     pub spread_n: Option<Vec<f64>>,
-    /// Loading peak, valley and push-off peak: each is a mean over the stances that have it.
+    /// Loading peak, valley and push-off peak. Each is the mean over the stances in which it exists; `None` if at least half of the stances
+    /// lack it.
     pub landmarks: [Option<Point>; 3],
 }
 
@@ -288,7 +289,7 @@ impl Interpretation {
         all
     }
 
-    /// Numbers of used and rejected contacts.
+    /// Number of used contacts, and number of rejected contacts.
     pub fn counts(&self) -> (usize, usize) {
         let used = self.contacts.iter().filter(|c| c.rejected.is_none());
         let used = used.count();

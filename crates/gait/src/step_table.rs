@@ -47,7 +47,7 @@ pub struct StepRow<'a> {
 }
 
 impl Interpretation {
-    /// Rows of all contacts in order of time. A rejected contact has no peaks.
+    /// Rows of all contacts in order of time. A contact that is not a whole stance has no peaks.
     pub fn stance_rows(&self) -> Vec<StepRow<'_>> {
         let row = |c: &Contact| {
             let column = self.columns.get(c.column);

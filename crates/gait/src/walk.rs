@@ -13,7 +13,7 @@ use crate::statistics::{mean, sample_deviation};
 pub const FEWEST_STRIDES: usize = 8;
 /// Number of force samples per stride.
 const OF_STRIDE: usize = 128;
-/// Number of equally spaced times in a stride at which the force is taken to compute its harmonics.
+/// Number of equally spaced times in a stride at which the force is evaluated to compute its harmonics.
 const PHASES: usize = 64;
 /// Number of harmonics of the step frequency that are computed.
 const HARMONICS: usize = 4;
@@ -291,7 +291,7 @@ impl Walk {
         strikes.windows(2).map(|w| w[1] - w[0]).collect()
     }
 
-    /// Ranges of `steps` that belong to the same run.
+    /// Ranges of indices in `steps`, one for each run.
     fn runs_of<'a>(
         &'a self,
         steps: &'a [f64],
@@ -329,7 +329,7 @@ impl Walk {
     }
 }
 
-/// Deviations of the step times in a range from the mean step time of the same foot. The feet alternate.
+/// Deviations, s, of the step times in a range from the mean step time of the same foot. The feet alternate.
 fn about(range: std::ops::Range<usize>, steps: &[f64], feet: usize) -> Vec<f64> {
     let of_foot = |foot: usize| {
         let own: Vec<f64> = steps.iter().skip(foot).step_by(feet).copied().collect();

@@ -37,7 +37,7 @@ pub use units::UnitsError;
 /// ```
 #[derive(Debug, Clone)]
 pub struct Error {
-    /// Location of the error in the input; `Unplaced` if it is not known.
+    /// Location of the error in the input; `Unplaced` without a location.
     pub place: Place,
     fault: Arc<dyn AnyFault>,
 }

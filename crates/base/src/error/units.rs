@@ -6,7 +6,7 @@ use strum::VariantNames;
 use super::Fault;
 use crate::wording::{Catalogue, WORDS};
 
-/// Error in the text of a quantity. `example` is a valid text.
+/// Error in the text of a quantity. The field `example` is a valid text for the dimension.
 ///
 /// ```
 /// use gaitcam_base::error::UnitsError;

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-/// A text as a CSV cell. If a spreadsheet would interpret it as a formula, an apostrophe is put before it. Numbers are unchanged.
+/// A text as a CSV cell. If a spreadsheet would interpret the text as a formula, an apostrophe is added before it. Numbers are unchanged.
 ///
 /// ```
 /// use gaitcam_base::text::{cell_text, text_cell};

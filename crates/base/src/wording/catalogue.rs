@@ -44,7 +44,7 @@ pub struct Sentences {
 }
 
 impl Sentences {
-    /// Entry without messages or special formatting. It gives the default values of the fields.
+    /// Entry without messages or special formatting, for the default values of the fields.
     pub const NONE: Sentences = Sentences {
         files: &[],
         as_typed: &[],

@@ -80,7 +80,8 @@ impl Messages {
         self.texts.get(key).copied()
     }
 
-    /// Parsed messages, which include the message with this key and the messages that it references; `None` if there is no such key.
+    /// Bundle of parsed messages that includes the message with this key and the messages that it references. `None` if there is no such
+    /// key.
     fn messages(&self, key: &str) -> Option<Bundle<'_>> {
         let text = self.text_of(key)?;
         let parsed = self.read();

@@ -62,7 +62,7 @@ pub struct ForceCurve {
     /// Interpretation of the recording from which the cycle was averaged.
     #[serde(serialize_with = "interpretation")]
     pub recording: Option<Arc<Interpretation>>,
-    /// Walkers from whose cycles the curve was averaged; `None` if the curve was not made from a population.
+    /// Walkers from whose cycles the curve was averaged; `None` if the curve does not belong to a population.
     #[serde(skip)]
     pub population: Option<Arc<Population>>,
 }
@@ -179,7 +179,7 @@ impl ForceCurve {
         }
     }
 
-    /// The cycle with another start: sample 0 of the result is the force at `phase`, rad.
+    /// The cycle with another start. Sample 0 of the result is the force at `phase`, rad.
     #[must_use]
     pub fn begun_at(&self, phase: f64) -> Self {
         let n = self.force_n.len();

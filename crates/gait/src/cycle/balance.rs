@@ -24,7 +24,8 @@ const LOADED: f64 = 0.3;
 /// Maximum fraction of a stride by which a recording may be shorter than the stride.
 const LACKING: f64 = 0.02;
 
-/// Mean force of all plates, N, over whole strides; `None` if the total force is sometimes far below its mean.
+/// Mean force of all plates, N, over whole strides. `None` for a single plate, for a recording shorter than a stride, or if the total force
+/// is sometimes far below its mean.
 fn mean_of_plates(recording: &Recording, period_s: f64) -> Option<f64> {
     let plates: Vec<&[f64]> = recording.live().map(|(_, c)| &c.force_n[..]).collect();
     let samples = plates.iter().map(|p| p.len()).min()?;

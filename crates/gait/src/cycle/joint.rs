@@ -73,7 +73,7 @@ pub enum LeftOut {
         /// Kind of movement in most recordings.
         most: Kind,
     },
-    /// The speed differs from the speed of most recordings.
+    /// The stride duration differs from that of most recordings, so the speed differs as well.
     OtherSpeed {
         /// Duration of the stride in this recording.
         period: Quantity,
@@ -131,7 +131,7 @@ impl JointMean {
     }
 }
 
-/// Mean over the cycles of all trials that have the most frequent movement and speed and no open questions.
+/// Mean over the cycles of all trials with the most frequent movement, the most frequent stride duration, and no open questions.
 ///
 /// The statistical weight of a trial is its number of cycles. If the masses belong to several walkers, the forces are averaged in body
 /// weights and scaled to the mean mass.

@@ -19,8 +19,7 @@ const FEWEST_STEPS: usize = 5;
 const STEP_S: std::ops::Range<f64> = 0.3..1.2;
 /// Range of step durations of a runner, s.
 const RUNNING_STEP_S: std::ops::Range<f64> = 0.15..0.55;
-/// Step duration, s, and relative variation of the total force. If a recording exceeds both values, its periodic force is not that of a
-/// walker.
+/// Step duration, s, and relative variation of the total force. If both values are exceeded, the periodic force is not walking.
 const SLOW: (f64, f64) = (0.85, 0.25);
 
 /// Averages the strides of a channel that is loaded throughout, or from the moment at which the walker steps on the plate; `None` without a

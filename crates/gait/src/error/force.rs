@@ -7,7 +7,7 @@ use super::Fault;
 use crate::units::Quantity;
 use crate::wording::{Catalogue, WORDS};
 
-/// Reasons why there is no force curve.
+/// Errors for which no force curve can be computed.
 ///
 /// ```
 /// use gaitcam_gait::ForceCurve;
@@ -87,7 +87,7 @@ pub enum ForceError {
     ForceTooLow { duration: Quantity, peak: Quantity },
     /// Every channel is unloaded, constant or empty.
     NoLiveChannel { duration: Quantity },
-    /// No channel rises above the contact threshold.
+    /// The force of no channel exceeds the contact threshold.
     NoContact { duration: Quantity },
     /// The population has no walkers.
     NoWalkers,

@@ -92,16 +92,16 @@ pub enum ReadError {
     /// The unit of force depends on the mass of the walker, but this row has no mass.
     RowMassMissing { unit: &'static str, row: usize },
 
-    /// The table of a cycle lacks a column.
+    /// The table of a cycle has no time column or no force column.
     CycleColumnMissing {
         column: CycleColumn,
         columns: Vec<String>,
     },
     /// The file is marked as a cycle but contains no table.
     CycleWithoutTable,
-    /// A line of a cycle is not a row of time and force.
+    /// A line in the table of a cycle is not a row of numbers.
     CycleRow,
-    /// A value of a cycle is missing or not a number.
+    /// A value in the table of a cycle is missing or not a number.
     CycleValue,
     /// The samples of a cycle last longer than its period.
     CycleTooLong { span: Quantity, period: Quantity },
@@ -112,7 +112,7 @@ pub enum ReadError {
     /// A critical point is after the end of the period.
     PointBeyondPeriod { at: Quantity, period: Quantity },
 
-    /// The MAT file has no array of numbers that can be a force.
+    /// The MAT file has no numeric array with a suitable size for a force.
     MatWithoutForce { arrays: Vec<String> },
     /// An array of a MAT file has fewer values than announced.
     MatCut {

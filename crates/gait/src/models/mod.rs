@@ -31,7 +31,8 @@ pub use fourier::FourierForce;
 ///
 /// # Errors
 ///
-/// The name is unknown (with the nearest name); the frequency is outside the range of the model; the weight is not positive.
+/// The name is unknown; the frequency is missing or outside the range of the model; the weight is not positive; one foot is requested from
+/// a continuous model.
 pub fn model(
     name: &str,
     step_frequency_hz: Option<f64>,
@@ -111,7 +112,7 @@ const ROUNDING: f64 = 1e-9;
 /// Name of a force whose load factors are given in the scene instead of being taken from a published model.
 const OWN: &str = "gait.harmonics";
 
-/// Duration of a cycle, s: one step for both feet, a stride of two steps for one foot.
+/// Duration of a cycle, s. A cycle of both feet is one step. A cycle of one foot is a stride of two steps.
 fn period(f: f64, feet: Feet) -> f64 {
     let steps = 1.0 / feet.share();
     steps / f

@@ -14,7 +14,7 @@ const BOTH: std::ops::RangeInclusive<f64> = 0.85..=1.15;
 const UNIT: f64 = 6.0;
 /// Permitted range of the mean force of one foot, as fractions of the body weight.
 const ONE: std::ops::RangeInclusive<f64> = 0.4..=0.65;
-/// Fraction of the mean force below which a foot is off the ground.
+/// Fraction of the mean force below which the foot is considered off the ground.
 const LIFTED: f64 = 0.02;
 /// Ratio of two periods above which the shorter one is the period of a step and the longer one is the period of a stride. A stride consists
 /// of two steps.
@@ -48,7 +48,7 @@ pub enum WalkerFault {
     OtherFeet,
     /// The cycle is a step, but most cycles are strides, or vice versa.
     OtherCycle,
-    /// The movement differs from that of most cycles.
+    /// The kind of movement differs from that of most cycles.
     OtherKind,
 }
 

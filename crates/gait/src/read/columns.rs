@@ -1,7 +1,7 @@
-//! Meaning of the columns of a table, from their names.
+//! Meanings of the columns of a table, recognised from the column names.
 //!
 //! Names are split into words. Examples of names are `ground_force_l_vy`, `FP1.ForY`, `F1Z`, `Platte 1 Fz [N]` and `left total force[N]`.
-//! All of them contain words for the force, its component, and the plate or foot, in different orders.
+//! They contain words for the force, its component, and the plate or foot, in different orders.
 
 use super::vocabulary::{
     CYCLE, FRAME, LEFT, OTHER, PERCENT, PHASE, RIGHT, SIDE, STANCE, STRONG_FORCE, TIME, VERTICAL,
@@ -64,7 +64,7 @@ pub(super) fn bracketed(name: &str) -> impl Iterator<Item = &str> {
     opened.filter_map(|rest| Some(rest[..rest.find([']', ')'])?].trim()))
 }
 
-/// Meaning of a column, from its name.
+/// Meaning of a column, recognised from its name.
 pub(super) fn role(name: &str) -> Role {
     let words = words(name);
     let has = |list: &str| words.iter().any(|w| is(w, list));

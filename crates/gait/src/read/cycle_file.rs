@@ -146,7 +146,7 @@ fn period(comment: &str) -> Option<f64> {
     keys::number(rest, false).filter(|period| *period > 0.0)
 }
 
-/// A cycle from samples: unchanged if they are uniform in time, otherwise resampled at equal phases.
+/// A cycle from samples. Samples at uniform times are unchanged. Other samples are resampled at equal phases.
 pub(super) fn sampled(
     name: &str,
     times: &[f64],
@@ -188,8 +188,8 @@ pub(super) fn sampled(
     through(name, points, period)
 }
 
-/// Duration of the samples, s, according to the times in a file, if it is inconsistent with the given period; otherwise `None`. With a
-/// given span, the duration is compared with the part of the period that the span covers.
+/// Duration of the samples, s, according to the times in a file, if it is inconsistent with the given period; otherwise `None`. If a span
+/// is given, the duration is compared with this span of the period.
 fn other_clock(times: &[f64], options: &ReadOptions) -> Option<f64> {
     let (Some(period), [first, .., last]) = (options.period_s, times) else {
         return None;
@@ -201,7 +201,7 @@ fn other_clock(times: &[f64], options: &ReadOptions) -> Option<f64> {
     (!fits && length > 0.0).then_some(length)
 }
 
-/// Scales the times of a file of one cycle. The rows then fill the period, or the part of the period that the span covers.
+/// Scales the times of a file of one cycle. The samples then fill the period, or the given span of the period.
 fn stretched(times: Vec<f64>, options: &ReadOptions) -> Vec<f64> {
     let (Some(period), [first, .., last]) = (options.period_s, &times[..]) else {
         return times;
@@ -219,7 +219,7 @@ fn stretched(times: Vec<f64>, options: &ReadOptions) -> Vec<f64> {
     times.iter().map(|t| (t - first) * factor).collect()
 }
 
-/// A force over a fraction of the turn; the force is zero in the rest of the turn.
+/// A cycle with the given force in a fraction `share` of the turn and zero force in the rest of the turn.
 fn spanned(
     name: &str,
     times: &[f64],

@@ -8,7 +8,7 @@ use super::vertical::keep_vertical;
 use crate::error::{CycleColumn, Placed, ReadError, Result};
 use crate::recording::{ForceUnit, ReadOptions};
 
-/// Value above which phases are in percent of the cycle instead of fractions.
+/// Maximum phase as a fraction of the cycle. If a phase exceeds this value, all phases are in percent.
 pub(super) const LARGEST_PART: f64 = 1.5;
 
 /// Samples of a cycle in the units of the file, with the seconds per unit of the times (`None` if the column is not known to be a time).

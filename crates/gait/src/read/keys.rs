@@ -30,7 +30,7 @@ const MASS: &str = "mass gewicht weight masse peso poids masa";
 
 /// Reads the keys of header lines such as `SampleRate=450`, `Gewicht [kg];56,8`, `nRows=1501`.
 ///
-/// In a Nexus export, the rate is a line that contains only a number, below a line `Devices`.
+/// In a Nexus export, the line below the line `Devices` contains only the rate.
 pub(super) fn read(head: &[String], comma: bool) -> Keys {
     let mut keys = Keys::default();
     for (i, line) in head.iter().enumerate() {

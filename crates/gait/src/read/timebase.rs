@@ -77,7 +77,7 @@ impl TimeBase {
         } else {
             usual
         };
-        // A gap must not require more memory than the samples themselves.
+        // The resampled values must not require much more memory than the samples in the file.
         let slots = whole / step;
         if slots > 4.0 * n as f64 + 1000.0 {
             let (lost, whole) = (seconds(lost), seconds(whole));
@@ -104,7 +104,7 @@ impl TimeBase {
         self.uneven.is_some()
     }
 
-    /// Values at uniform times, by linear interpolation. Values next to missing values are missing too.
+    /// Values at uniform times, by linear interpolation. A value between a missing and another value is also missing.
     pub fn resampled(&self, values: Vec<f64>) -> Vec<f64> {
         let Some(at) = &self.uneven else {
             return values;

@@ -13,7 +13,7 @@ const REACH: f64 = 0.5;
 /// Coordinates of a marker, in any unit of length.
 type Position = [f64; 3];
 
-/// Paths of both heels with a common time base.
+/// Paths of both heel markers with a common time base.
 ///
 /// ```
 /// use gaitcam_gait::{Foot, Heels};

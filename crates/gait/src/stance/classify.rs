@@ -15,7 +15,7 @@ const LONG: f64 = 1.5;
 const LONG_WITH_HUMPS: f64 = 1.15;
 /// Minimum duration of a contact that may include steps of both feet, s.
 const TWO_STEPS_S: f64 = 0.8;
-/// Fraction of the typical duration below which a contact that is cut off by the recording is only a fragment.
+/// Fraction of the typical duration below which an incomplete contact at an end of the recording is only a fragment.
 const FRAGMENT: f64 = 0.25;
 /// Maximum duration, s, of missing samples in a contact that is not rejected for them.
 const BRIDGED_S: f64 = 0.05;

@@ -38,7 +38,7 @@ const IMPACT_S: f64 = 0.25;
 const DROP: f64 = 1.9;
 /// Fraction of a contact before which the first peak of a landing occurs. In walking, the first peak occurs at a fraction of 0.18 to 0.3.
 const EARLY: f64 = 0.155;
-/// Number of contacts up to which no rhythm can be determined.
+/// Maximum number of contacts from which no rhythm can be determined.
 const FEW: usize = 2;
 /// Maximum time between the landings of the two feet in a jump, s.
 const TOGETHER_S: f64 = 0.08;
@@ -162,7 +162,7 @@ fn duty(main: &[(&Contact, &Shape)]) -> Option<(f64, f64)> {
         let next = main[i + 1..].iter().find(|(b, _)| b.channel == a.channel);
         if let Some((b, _)) = next {
             let stride = b.start_s - a.start_s;
-            // A pause is not a swing phase.
+            // A longer time between two contacts is a pause, not a swing phase.
             if stride < 3.5 * a.duration_s().max(0.15) {
                 all.push((a.duration_s() / stride, stride));
             }
@@ -216,7 +216,7 @@ fn drops(contacts: &[Contact], shapes: &[Shape], least: f64) -> bool {
     2 * main.iter().filter(|lands| **lands).count() > main.len()
 }
 
-/// Whether the left and the right foot land and leave at the same time.
+/// Whether most contacts of the left and the right foot begin and end at the same time.
 fn lands_together(contacts: &[Contact], recording: &Recording) -> bool {
     let of = |foot: Foot| -> Vec<&Contact> {
         let own = |c: &&Contact| recording.channels[c.channel].foot == Some(foot);

@@ -261,7 +261,7 @@ fn resting_level(force: &[f64], level: f64, band: f64, rate_hz: f64) -> Option<f
     (!quiet.is_empty()).then(|| mean_and_deviation(&quiet).0)
 }
 
-/// Mean level and standard deviation, N, of samples that should be unloaded; `None` if the samples vary.
+/// Mean level and standard deviation, N, of samples that should be unloaded. `None` if the samples vary or their mean is 100 N or more.
 fn quiet(force: &[f64]) -> Option<(f64, f64)> {
     let (mean, deviation) = mean_and_deviation(force);
     (force.len() >= 2 && deviation < 5.0 && mean.abs() < 100.0).then_some((mean, deviation))

@@ -5,7 +5,7 @@ use crate::recording::Processor;
 /// Maximum number of values that are read of one parameter. Real files contain a few hundred.
 const MOST_VALUES: usize = 1 << 16;
 
-/// Parameter: group number, name and position of its values.
+/// One parameter: group number, name, dimensions and bytes of its values.
 #[derive(Debug, Clone)]
 struct Parameter<'a> {
     group: i8,

@@ -28,7 +28,7 @@ pub(in crate::read) struct Columns {
     pub time: Option<usize>,
     /// Whether the time column contains sample numbers or phases instead of seconds.
     pub counts: bool,
-    /// If the time column is a phase: whether it is the phase of a stance (`true`) or of a cycle (`false`).
+    /// Whether the time column contains the phase of a stance (`true`) or of a cycle (`false`); `None` if it contains no phase.
     pub phase_of_stance: Option<bool>,
     pub force: Vec<ForceColumn>,
     /// Whether the forces are those of pressure insoles, if known.
@@ -325,7 +325,7 @@ fn no_column(stated: &str, names: &[String]) -> ReadError {
     }
 }
 
-/// Names of the first columns, for a message.
+/// Names of the first 40 columns, for a message.
 pub(in crate::read) fn listed(names: &[String]) -> Vec<String> {
     names.iter().take(40).cloned().collect()
 }

@@ -30,7 +30,7 @@ const FEWEST: usize = 4;
 /// A long table in a text, with the indices of the columns that distinguish its cycles.
 pub(in crate::read) struct LongTable<'a> {
     file: TextFile<'a>,
-    /// Header of the table, and position of the first row.
+    /// Header of the table, and position of its first row.
     table: Table,
     /// Indices of the columns that distinguish the cycles.
     identifiers: Vec<usize>,
@@ -44,7 +44,7 @@ struct Cycle {
 }
 
 impl<'a> LongTable<'a> {
-    /// The long table in a text, if there is one. It has columns for the subject, the phase and a force, but no times.
+    /// The long table in a text; `None` for other texts. A long table has columns for the subject, the phase and a force, but no times.
     pub fn of(path: &'a Path, bytes: &'a [u8], options: &'a ReadOptions) -> Option<Self> {
         let mut lines = Lines::new(bytes);
         let (_, header) = lines.find(|(_, line)| !line.trim_ascii().is_empty())?;

@@ -36,7 +36,7 @@ pub(super) use samples::Samples;
 pub(super) use table::next_table;
 pub(super) use units::check_unit;
 
-/// Reads a delimited text. The first table that has a force column is used.
+/// Reads a delimited text. The first table with a force column is the recording.
 pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
     let bytes = &*plain(bytes);
     if let Some(long) = LongTable::of(path, bytes, options) {

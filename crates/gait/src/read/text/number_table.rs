@@ -14,7 +14,7 @@ use crate::read::columns::{Role, role, words};
 use crate::read::foreign;
 use crate::read::number::{trim, value};
 
-/// Table of a delimited text whose rows are not read yet.
+/// Header and position of a table in a delimited text. The rows are read by `rows`.
 ///
 /// ```
 /// use gaitcam_gait::NumberTable;
@@ -74,7 +74,7 @@ impl<'a> NumberTable<'a> {
         &self.table.names
     }
 
-    /// Number of the header line, counted from 1. Without a header, the number of the line of the first row.
+    /// Number of the header line, counted from 1. Without a header, it is the line number of the first row.
     pub fn header_line(&self) -> usize {
         match self.table.names.is_empty() {
             true => self.table.start.line,

@@ -43,8 +43,8 @@ pub fn plate_of(start: &[u8]) -> Option<PlateFile> {
     of_head(&lines.collect::<Vec<_>>())
 }
 
-/// The files of all plates of one trial, concatenated for [`read`](crate::read()). `None` unless the files are different plates of one
-/// trial.
+/// The files of all plates of one trial, concatenated for [`read`](crate::read()). `None` if the files do not belong to different plates of
+/// one trial.
 pub fn joined_plates(files: &[Vec<u8>]) -> Option<Vec<u8>> {
     let plates: Vec<PlateFile> = files.iter().map(|f| plate_of(f)).collect::<Option<_>>()?;
     let fits = |(i, plate): (usize, &PlateFile)| {
@@ -73,7 +73,7 @@ pub fn parts(bytes: &[u8]) -> Vec<&[u8]> {
         .collect()
 }
 
-/// Adds the properties that apply to all columns: plate, foot, and the unit. The header omits the unit, which is newton.
+/// Adds the plate, the foot and the unit to all columns. The header contains no unit, and the forces are in newtons.
 pub(super) fn complete(_: &TextFile, head: &[String], samples: &mut Samples) -> Result<()> {
     let plate = of_head(head).map(|file| file.plate);
     for force in &mut samples.forces {
