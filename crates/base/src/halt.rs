@@ -22,7 +22,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 #[derive(Clone, Default)]
 pub struct Halt {
     asked: Option<Arc<dyn Fn() -> bool + Send + Sync>>,
-    /// Whether the condition was true at any poll; shared by all copies.
+    /// Whether the condition was true at any poll of this object or of a copy.
     was_heard: Arc<AtomicBool>,
 }
 

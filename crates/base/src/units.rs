@@ -61,7 +61,7 @@ pub const LBF: f64 = 4.448_221_615_260_5;
 /// One pound (mass) in kilograms.
 const LB: f64 = 0.453_592_37;
 
-/// Parses a quantity of the given dimension; the result is in SI units and radians.
+/// Parses a quantity of the given dimension. The result is in SI units and radians.
 ///
 /// `"0"` needs no unit, because zero is equal in every unit. A [`Dimension::Ratio`] needs no unit either. Any other number without a unit
 /// is rejected. `lb` is a mass where a mass is expected, otherwise a force. `inf` and magnitudes above 1e30 are rejected, so products of a
@@ -117,7 +117,7 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
 const MOST: f64 = 1e30;
 
 /// Checks that the magnitude of a value in SI units is at most 1e30, so that products of a few such values do not overflow. `text` is the
-/// input; it is part of the error.
+/// input, which the error contains.
 ///
 /// # Errors
 ///
@@ -180,8 +180,8 @@ fn without_groups(text: &str) -> Option<String> {
     groups.all(|g| g.len() == 3).then(|| plain + rest)
 }
 
-/// Splits "1.85e-3mm" into "1.85e-3" and "mm". An `e` is an exponent only before a digit. A comma is a decimal mark only if it follows at
-/// least one digit, precedes a digit, and is the first decimal mark in the number.
+/// Splits "1.85e-3mm" into "1.85e-3" and "mm". An `e` is an exponent only before a digit. A comma is a decimal mark only between digits,
+/// and only if it is the first decimal mark in the number.
 fn split_number(text: &str) -> (&str, &str) {
     let b = text.as_bytes();
     let digit = |i: usize| b.get(i).is_some_and(u8::is_ascii_digit);

@@ -9,8 +9,8 @@ use crate::walk::Walk;
 
 /// Exponent of the long-range correlation of step times.
 ///
-/// Published values are 0.83 for one healthy person over nine minutes (Goldberger et al., PhysioNet tutorial on fractal mechanisms) and
-/// 0.76 on average for ten young men (Hausdorff et al. 1995, quoted from memory).
+/// A published value is 0.83 for one healthy person over nine minutes (Goldberger et al., PhysioNet tutorial on fractal mechanisms).
+/// Another is 0.76 on average for ten young men (Hausdorff et al. 1995, quoted from memory).
 const EXPONENT: f64 = 0.8;
 
 /// Statistics of the steps of a generated walk.

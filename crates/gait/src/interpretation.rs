@@ -110,7 +110,8 @@ pub struct Column {
     pub noise_n: f64,
     /// Reason for the exclusion of the column; `None` if it is included.
     pub idle: Option<Idle>,
-    /// Minimum and maximum force, N, in time intervals of equal duration over the whole recording; for a figure.
+    /// Minimum and maximum force, N, in time intervals of equal duration over the whole recording. A figure of the recording is drawn from
+    /// them.
     pub envelope_n: Vec<[f64; 2]>,
 }
 

@@ -49,7 +49,7 @@ pub struct Walk {
     pub duration_s: f64,
     /// Number of strides of each unbroken run.
     pub runs: Vec<usize>,
-    /// Times of the heel strikes, s. The feet alternate, with two heel strikes per stride; the first time is 0.
+    /// Times of the heel strikes, s. The first time is 0. The feet alternate, with two heel strikes per stride.
     pub steps_s: Vec<f64>,
     /// Whether only one foot was recorded. The other foot is then assumed to repeat its force half a stride later.
     pub is_one_foot: bool,
@@ -283,7 +283,7 @@ impl Walk {
         }
     }
 
-    /// Step times, s, alternating between the feet; stride times if only one foot was recorded.
+    /// Step times, s, alternating between the feet. If only one foot was recorded, they are stride times.
     fn step_times(&self) -> Vec<f64> {
         let every = if self.is_one_foot { 2 } else { 1 };
         let strikes = self.steps_s.iter().step_by(every).copied();

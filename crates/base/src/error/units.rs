@@ -23,7 +23,7 @@ use crate::wording::{Catalogue, WORDS};
 pub enum UnitsError {
     /// The text does not start with a number.
     NoNumber { text: String, example: String },
-    /// The number has thousands separators; `plain` is the number without them.
+    /// The number has thousands separators. `plain` is the number without these separators.
     Grouped { text: String, plain: String },
     /// The number has no unit, but its dimension requires one.
     NoUnit { text: String, example: String },

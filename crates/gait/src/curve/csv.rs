@@ -32,8 +32,8 @@ fn write_csv(out: &mut String, curve: &ForceCurve, comments: &[&str]) -> std::fm
     Ok(())
 }
 
-/// Writes the comment lines at the start of a text: the mark `# cycle`, the properties that the samples do not contain, and the comments of
-/// the caller.
+/// Writes the comment lines at the start of a text. They contain the mark `# cycle`, the properties of the cycle, and the comments of the
+/// caller.
 pub(super) fn write_head(
     out: &mut String,
     curve: &ForceCurve,

@@ -253,7 +253,7 @@ mod tests {
 
     #[test]
     fn a_contact_reaches_down_to_its_noise_and_sixty_milliseconds_at_most() {
-        // At 1 kHz the force rises by 1 N a sample from 0.1 s on and falls the same way to 0.5 s; 2 N are noise.
+        // At 1 kHz, the force rises by 1 N per sample from 0.1 s and falls by 1 N per sample until 0.5 s. The noise is 2 N.
         let ramps = (0..600).map(|i: i32| f64::from((i - 100).min(500 - i).clamp(0, 150)));
         let mut channel = Channel {
             force_n: ramps.collect(),

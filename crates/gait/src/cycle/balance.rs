@@ -1,8 +1,8 @@
 //! Mean total force of a walker, N, over the time in which the forces of both feet are recorded.
 //!
 //! Over a whole stride, the mean total force equals the weight. If the plates are loaded for a whole stride, their total force is averaged
-//! over the stride. Otherwise, the total force is averaged over two half strides, which are determined by a stance of one foot (the first
-//! foot) and the next stance of the other foot (the second foot):
+//! over the stride. Otherwise, the total force is averaged over two half strides. They follow from a stance of one foot (the first foot)
+//! and the next stance of the other foot (the second foot):
 //!
 //! - from the previous toe-off of the second foot to the toe-off of the first foot;
 //! - from the heel strike of the second foot to the next heel strike of the first foot.

@@ -70,7 +70,7 @@ fn of_steps(
 }
 
 /// Relative half width of the 95 % interval of a mean. Its variance is a weighted mean of the sample variance of the values and of the
-/// square of `usual`, which is a typical relative standard deviation.
+/// square of the typical relative standard deviation `usual`.
 fn of_mean(values: &[f64], usual: f64) -> f64 {
     let degrees = (values.len() as f64 - 1.0).max(0.0);
     let own = sample_deviation(values).unwrap_or(0.0) / mean(values).abs().max(f64::MIN_POSITIVE);

@@ -147,8 +147,7 @@ impl Average {
 
 /// Averages the stances of a recording to one cycle.
 ///
-/// `feet` selects the sum of both feet, one foot (the mean of all stances), the left or right foot, or the total force of both feet in one
-/// column.
+/// `feet` selects the sum of both feet, the mean stance of one foot, the left or right foot, or a column with the total of both feet.
 ///
 /// # Errors
 ///

@@ -22,8 +22,8 @@ const RUNNING_STEP_S: std::ops::Range<f64> = 0.15..0.55;
 /// Step duration, s, and relative variation of the total force. If both values are exceeded, the periodic force is not walking.
 const SLOW: (f64, f64) = (0.85, 0.25);
 
-/// Averages the strides of a channel that is loaded throughout, or from the moment at which the walker steps on the plate; `None` without a
-/// periodic total force.
+/// Averages the strides of a channel that is loaded from the first sample, or from the moment at which the walker steps on the plate.
+/// `None` without a periodic total force.
 ///
 /// The force is smoothed over half a step. A step is the time between two moments at which the smoothed force rises through its mean. A
 /// stride is two steps, so that a difference between the feet remains visible. It is unknown which foot is the first.
@@ -261,7 +261,8 @@ mod tests {
 
     #[test]
     fn a_rise_is_placed_between_the_samples_that_it_crosses() {
-        // Means over three samples: 0 … 0, 1, 2, 3 … 3, and back; 0.5 is crossed halfway from sample 4 to 5, 11 to 12.
+        // The means over three samples are 0 … 0, 1, 2, 3 … 3, and back. They cross 0.5 between samples 4 and 5, and between samples 11 and
+        // 12.
         let low = [0.0; 6];
         let force = [&low[..], &[3.0; 4], &low[..3], &[3.0; 5]].concat();
         assert_eq!(rises(&force, 2, 0.5, 0.4), [4.5, 11.5]);

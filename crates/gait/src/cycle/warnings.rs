@@ -104,8 +104,8 @@ fn mass_is_guessed(recording: &Recording, cycle: &Cycle) -> Vec<Note> {
     notes
 }
 
-/// Limit for two quantities of whole contacts: the step-to-step spread as a fraction of the weight, and the relative difference between the
-/// mean impulses of the feet.
+/// Maximum step-to-step spread of whole contacts, as a fraction of the weight. It is also the maximum relative difference between the mean
+/// impulses of the feet.
 const DIFFERENCE: f64 = 0.2;
 
 /// Maximum relative deviation of the impulse or the peak force of a stance from the median, if there are only a few stances.

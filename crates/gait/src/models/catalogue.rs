@@ -42,7 +42,7 @@ impl Status {
 pub struct ModelInfo {
     /// Name in scenes, for example `young`.
     pub name: &'static str,
-    /// Formula with its coefficients; f is the step frequency in Hz, G the body weight in N.
+    /// Formula with its coefficients. f is the step frequency, Hz, and G the body weight, N.
     pub formula: &'static str,
     /// Publication that describes the model.
     pub source: &'static str,

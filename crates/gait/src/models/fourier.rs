@@ -8,8 +8,8 @@ use crate::error::{ForceError, Result};
 use crate::quantity::seconds;
 use crate::recording::Feet;
 
-/// Force of both feet together as a Fourier series: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)), with the body weight G, N, and the step
-/// frequency f, Hz.
+/// Force of both feet together as a Fourier series: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)). G is the body weight, N, and f the step
+/// frequency, Hz. aᵢ is the load factor and pᵢ the phase, rad, of harmonic i.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, of_harmonics};

@@ -75,8 +75,8 @@ pub fn series(
     FourierForce::new(info.name, harmonics, f, body_weight_n, feet).map(Some)
 }
 
-/// One cycle of a force of both feet that is given by its load factors: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)). G is the body weight, N,
-/// and f the step frequency, Hz.
+/// One cycle of a force of both feet with given load factors: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)). G is the body weight, N, and f the
+/// step frequency, Hz.
 ///
 /// Each of the harmonics 1, 2, … has a pair (aᵢ, pᵢ) of load factor and phase, rad.
 ///

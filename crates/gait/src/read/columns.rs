@@ -26,7 +26,7 @@ pub(super) enum Role {
     Other,
 }
 
-/// Words of a name in lower case, without a unit in brackets; `ForY1` gives `for`, `y`, `1`.
+/// Words of a name in lower case, without a unit in brackets. For example, `ForY1` gives `for`, `y` and `1`.
 pub(super) fn words(name: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     let mut word = String::new();

@@ -11,8 +11,8 @@ use crate::recording::{ForceUnit, ReadOptions};
 /// Maximum phase as a fraction of the cycle. If a phase exceeds this value, all phases are in percent.
 pub(super) const LARGEST_PART: f64 = 1.5;
 
-/// Samples of a cycle in the units of the file, with the seconds per unit of the times (`None` if the column is not known to be a time).
-/// The first column is the force; a second column is the spread of the force. Every row must be complete.
+/// Samples of a cycle in the units of the file, and the seconds per unit of the times. The latter is `None` if the column may not be a
+/// time. The first column is the force. A second column, if any, is the spread of the force. Every row must be complete.
 pub(super) fn samples(file: &TextFile, table: &Table) -> Result<(Samples, Option<f64>)> {
     let options = file.options;
     let names = &table.names;
@@ -60,7 +60,7 @@ fn is_spread(name: &str) -> bool {
     words(name).first().is_some_and(word)
 }
 
-/// Samples of the file with a single force, and the seconds per unit of the times (`None` if the column is not known to be a time).
+/// Samples of the file with a single force, and the seconds per unit of the times. The latter is `None` if the column may not be a time.
 ///
 /// # Errors
 ///

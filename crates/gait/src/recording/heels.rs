@@ -28,7 +28,8 @@ type Position = [f64; 3];
 pub struct Heels {
     /// Number of positions per second, 1/s. The first position is at the time of the first force sample.
     pub rate_hz: f64,
-    /// Positions of the left heel, in the axes and the unit of length of the file; NaN for frames in which the marker was not visible.
+    /// Positions of the left heel, in the axes and the unit of length of the file. They are NaN for frames in which the marker was not
+    /// visible.
     pub left: Vec<[f64; 3]>,
     /// Positions of the right heel, with the same axes, unit and marking of invisible frames.
     pub right: Vec<[f64; 3]>,

@@ -49,13 +49,13 @@ pub struct ReadOptions {
     pub rate_hz: Option<f64>,
     /// Mass of the walker, kg.
     pub mass_kg: Option<f64>,
-    /// Kind of movement in the recording; if `None`, it is recognised from the forces.
+    /// Kind of movement in the recording. If `None`, it is recognised from the forces.
     pub kind: Option<Kind>,
     /// Duration of the cycle, s, if the file contains exactly one cycle.
     pub period_s: Option<f64>,
-    /// Cam angle, rad, that the force in the file spans; the force is zero in the rest of the turn.
+    /// Cam angle, rad, that the force in the file spans. The force is zero in the rest of the turn.
     pub span_rad: Option<f64>,
-    /// Root mean square noise of the readings, N; estimated from unloaded samples if not given.
+    /// Root mean square noise of the readings, N. If `None`, it is estimated from unloaded samples.
     pub noise_n: Option<f64>,
     /// Content of the table of subjects that belongs to a table of stances (see [`metadata_name`](super::metadata_name)).
     pub metadata: Option<Vec<u8>>,

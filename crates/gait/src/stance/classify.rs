@@ -99,7 +99,7 @@ fn slow_steps(contacts: &[Contact], top: f64) -> bool {
     (STANDING_S..SLOW_STEP_S).contains(&usual) && count >= 3 && 5 * count >= 4 * long.len()
 }
 
-/// Median. For an even number of values, it is the lower of the two middle values, so that of two contacts the longer one is not typical.
+/// Median. For an even number of values, it is the lower of the two middle values. The longer one of two contacts is therefore not typical.
 fn low_median(values: Vec<f64>) -> Option<f64> {
     let rank = values.len().checked_sub(1)? / 2;
     ranked(values, rank)

@@ -201,8 +201,8 @@ fn jumps(contacts: &[Contact], recording: &Recording) -> bool {
     })
 }
 
-/// Whether most contacts with a peak above `least`, N, are landings from a height: the maximum force occurs early and is much larger than
-/// the mean force of a long contact.
+/// Whether most contacts with a peak above `least`, N, are landings from a height. In a landing, the contact is long, and the maximum force
+/// occurs early and is much larger than the mean force.
 fn drops(contacts: &[Contact], shapes: &[Shape], least: f64) -> bool {
     let main: Vec<bool> = contacts
         .iter()

@@ -13,8 +13,8 @@ const WIDTH: (f64, f64) = (0.004, 2.5);
 /// Maximum number of readings above the level, as a fraction of the number of readings at the level.
 const ABOVE: f64 = 0.03;
 /// Minimum ratio of the number of readings at the level to the number just below it, in bands of equal width. The first value is for three
-/// or more contacts: a parabola has a ratio of 2.4, and synthetic walkers, runners and jumpers have less than 3.3. The second value is for
-/// one or two contacts, because a flat peak has a larger ratio: 5.3 for a decrease with the fourth power of time.
+/// or more contacts. The ratio is 2.4 for a parabola and less than 3.3 for synthetic walkers, runners and jumpers. The second value is for
+/// one or two contacts, because a flat peak has a larger ratio. It is 5.3 for a decrease with the fourth power of time.
 const CROWDED: (f64, f64) = (3.5, 6.0);
 /// Minimum number of readings at the level that means clipping.
 const FEWEST: usize = 8;

@@ -15,8 +15,8 @@ const EDGE: (f64, f64) = (0.015, 10.0);
 
 /// Minimum sampling rate, Hz, at which a sample must be similar to one of the adjacent samples, because an impact lasts 10 ms or more.
 const DENSE_HZ: f64 = 180.0;
-/// Minimum difference between a spike and the samples on both sides: as a fraction of the maximum level that lasts longer than a spike, and
-/// in N.
+/// Minimum difference between a spike and the samples on both sides. It is given as a fraction of the maximum level that lasts longer than
+/// a spike, and in N.
 const SPIKE: (f64, f64) = (0.5, 100.0);
 /// Maximum duration of a spike, s, and maximum number of its samples. At a low sampling rate, a spike is a single sample.
 const LASTS: (f64, usize) = (0.0061, 6);

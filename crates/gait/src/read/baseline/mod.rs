@@ -23,12 +23,12 @@ const LOADED: f64 = 0.15;
 /// Factor by which the number of readings may increase if the unloaded band is twice as wide. Above this factor, the band is too narrow.
 const BROAD: f64 = 1.2;
 
-/// Constants for a span that shows the unloaded level: minimum duration, s; duration of each end that is omitted, s; minimum difference, N,
-/// between its mean and the most frequent level.
+/// Constants for a span with a nearly constant reading, from which the unloaded level is computed. They are its minimum duration, s, the
+/// duration of each end that is omitted, s, and the minimum difference, N, between its mean and the most frequent level.
 const REST: (f64, f64, f64) = (0.2, 0.05, 1.0);
 
-/// Constants for the unloaded level at the ends of a recording: duration of each end, s; minimum difference, N, from the unloaded level
-/// during the walk, for which a note is added.
+/// Duration of each end of a recording that is examined, s, and a difference of levels, N. If the unloaded level during the walk exceeds
+/// the level at the ends by more than this difference, a note is added.
 const ENDS: (f64, f64) = (0.2, 8.0);
 
 /// Maximum number of readings from which baseline and sign are determined. Longer recordings are thinned evenly.
@@ -220,7 +220,7 @@ fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
         return None;
     }
     if level.abs() > (0.1 * range).max(30.0) {
-        // The level is a load, not an offset, if it is far above zero, or if readings are below it after the foot leaves the plate.
+        // The level is a load, not an offset, if it is far above zero, or if readings are clearly below it when the plate is unloaded.
         let below = thin.iter().filter(|x| **x < level - band).count();
         if level > LOADED * high || level > 0.0 && 200 * below > thin.len() {
             return None;

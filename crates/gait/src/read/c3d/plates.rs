@@ -169,8 +169,7 @@ fn plate_name(plate: usize, weights: &Weights, labels: &[String]) -> String {
 /// - Types 1 and 2: the third channel.
 /// - Type 3: the sum of the four vertical sensors.
 /// - Types 4 (six channels) and 5 (eight channels): the third row of the calibration matrix.
-/// - Types 6 (twelve channels) and 7 (eight channels): the sum of the rows of the matrix that belong to the vertical sensors of the four
-///   corners.
+/// - Types 6 (twelve channels) and 7 (eight channels): the sum of the matrix rows of the vertical sensors in the four corners.
 ///
 /// Types 4 and 5 require a matrix. For types 6 and 7 without a matrix in the file, the channels are already forces.
 fn weights(

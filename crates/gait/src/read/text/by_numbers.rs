@@ -9,8 +9,8 @@ const SAMPLE: usize = 4096;
 /// Number of columns above which unnamed columns are pressure sensors, not plates (twelve plates with six values each).
 const MOST_VALUES: usize = 72;
 
-/// Feet of the two force columns (left, right), if the columns are those of insoles: the time, two sets with the same number of sensors,
-/// and the sum of each set. Otherwise `None`.
+/// Feet of the two force columns (left, right), if the table has the columns of insoles. These are the time, two sets with the same number
+/// of sensors, and the sum of each set. Otherwise `None`.
 ///
 /// The insole recordings of PhysioNet have this layout, with the left foot first.
 pub(super) fn insole_sides(
@@ -44,10 +44,10 @@ pub(super) fn counts_samples(times: &[f64]) -> bool {
 /// Columns that contain a vertical force. The first rule that applies is used:
 ///
 /// 1. Columns that are the sum of a block of other columns (sums of the sensors of insoles).
-/// 2. If the number of columns is a multiple of six (Fx Fy Fz Mx My Mz of each plate): the force component with the maximum load, on each
+/// 2. If the number of columns is a multiple of six (Fx Fy Fz Mx My Mz of each plate), the force component with the maximum load, for each
 ///    plate.
-/// 3. Columns with readings mainly of one sign (more than 90 % of the sum of magnitudes) whose maximum is more than two fifths of the
-///    overall maximum.
+/// 3. Columns whose readings have one sign in more than 90 % of the sum of magnitudes. Their maximum must exceed two fifths of the overall
+///    maximum.
 pub(super) fn force_columns(columns: &[Vec<f64>], time: Option<usize>) -> Vec<usize> {
     let data: Vec<usize> = (0..columns.len()).filter(|&i| Some(i) != time).collect();
     if data.len() > MOST_VALUES {

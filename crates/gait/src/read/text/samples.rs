@@ -207,8 +207,8 @@ fn overridden(times: &[f64], unit: Option<f64>, rate: f64) -> Option<Note> {
     })
 }
 
-/// Possible units of a time column that gives no unit: name, seconds per unit, and the range of time steps, in this unit, for which the
-/// unit is assumed.
+/// Possible units of a time column without a unit: name and seconds per unit. The range contains the time steps, in this unit, for which
+/// the unit is assumed.
 const SMALL_UNITS: [(&str, f64, std::ops::RangeInclusive<f64>); 3] = [
     ("ms", 1e-3, 0.4..=60.0),
     ("us", 1e-6, 200.0..=60e3),
