@@ -27,7 +27,7 @@ pub struct StepStatistics {
     pub strides: usize,
     /// Coefficient of variation of the step time.
     pub step_time_cv: f64,
-    /// Coefficient of variation of the amplitude of the force about its mean.
+    /// Coefficient of variation of the amplitude with which the force varies about its mean.
     pub amplitude_cv: f64,
     /// Seed of the random numbers. Equal seeds give equal walks.
     pub seed: u64,

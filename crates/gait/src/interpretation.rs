@@ -41,7 +41,7 @@ pub struct Interpretation {
     pub unit_from: UnitSource,
     /// Columns (plates, insoles, belts) of vertical force.
     pub columns: Vec<Column>,
-    /// Feet whose force the cycle contains.
+    /// Feet to which the force of the cycle belongs.
     pub feet: Feet,
     /// All contacts, used or rejected, in order of time.
     pub contacts: Vec<Contact>,

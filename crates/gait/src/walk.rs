@@ -19,7 +19,8 @@ const PHASES: usize = 64;
 const HARMONICS: usize = 4;
 /// Maximum difference, s, between the end of a stride and the start of another stride, for which the strides count as consecutive.
 const SAME_S: f64 = 1e-6;
-/// Relative change of the stride time, from the first to the last quarter of the strides, above which the pace is considered to change.
+/// The pace is considered to change if the mean stride times of the first and the last quarter of the strides differ by more than this
+/// fraction.
 const STEADY: f64 = 0.05;
 
 /// Consecutive strides of a recording as one force over time, repeated periodically.
@@ -79,11 +80,11 @@ pub struct Variability {
     /// Standard deviation of the step time, relative to the mean step time. Deviations are from the mean step time of the same foot. If
     /// only one foot was recorded, stride times are used instead of step times.
     pub step_time_cv: f64,
-    /// Coefficient of variation, over the strides, of the amplitude of the force at the step frequency of each stride.
+    /// Coefficient of variation of the amplitude of the force at the step frequency. The amplitude is computed for each stride.
     pub amplitude_cv: f64,
-    /// Coefficients of variation of the amplitudes of the first four harmonics of the step frequency.
+    /// Coefficients of variation of the first four harmonic amplitudes. The first harmonic is at the step frequency.
     pub harmonics_cv: [f64; HARMONICS],
-    /// Correlation coefficient between the deviations of consecutive step times.
+    /// Correlation coefficient of consecutive step times, computed from their deviations from the mean.
     pub autocorrelation: f64,
     /// Relative change of the stride time: mean of the last quarter of the strides minus mean of the first quarter, divided by the overall
     /// mean.

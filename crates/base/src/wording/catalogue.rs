@@ -34,7 +34,7 @@ pub struct Sentences {
     pub files: &'static [File],
     /// Names of fields whose values are texts of the user, or select a variant of a message. These values are not translated.
     pub as_typed: &'static [&'static str],
-    /// Areas whose messages can be arguments of messages of other areas.
+    /// Areas with messages that may be inserted in messages of other areas.
     pub shared: &'static [&'static str],
     /// Areas whose messages are notes on a result, or reasons why something was chosen or rejected. Quantities in these messages have four
     /// significant digits. Quantities in errors have six significant digits, because users enter them again.

@@ -160,7 +160,7 @@ impl ForceCurve {
         slopes(&self.force_n)
     }
 
-    /// Root mean square over the cycle of the step-to-step standard deviation, N; `None` if the deviation is unknown.
+    /// Step-to-step standard deviation, N, as root mean square over the cycle; `None` if it is unknown.
     pub fn spread_rms_n(&self) -> Option<f64> {
         let s = self.spread_n.as_ref()?;
         Some((s.iter().map(|x| x * x).sum::<f64>() / s.len().max(1) as f64).sqrt())

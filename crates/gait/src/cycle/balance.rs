@@ -18,8 +18,7 @@ use crate::statistics::mean;
 /// Maximum difference between the impulses of the two stances, as a fraction of their sum.
 const UNEVEN: f64 = 0.05;
 
-/// Fraction of the mean total force. If the total force falls below this fraction, the plates are assumed not to record both feet all the
-/// time.
+/// If the total force falls below this fraction of its mean, the plates are assumed not to record both feet all the time.
 const LOADED: f64 = 0.3;
 /// Maximum fraction of a stride by which a recording may be shorter than the stride.
 const LACKING: f64 = 0.02;

@@ -11,10 +11,10 @@ use crate::recording::{Feet, Note, Recording};
 use crate::stance::{Stance, Stances};
 use crate::statistics::mean;
 
-/// Fraction of the recording above which a stance counts as the whole recording.
+/// A stance counts as the whole recording if it fills more than this fraction of the recording.
 const WHOLE: f64 = 0.97;
 
-/// Relative difference between the duration of the mean stance and the duration of the span, below which the stance is not stretched.
+/// The mean stance is not stretched if its duration differs from the duration of the span by less than this fraction.
 const NEARLY: f64 = 0.05;
 
 /// One cycle in which the mean stance fills a span, rad, and the force is zero in the rest of the turn. `None` without a whole stance, or

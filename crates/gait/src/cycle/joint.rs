@@ -14,7 +14,7 @@ use crate::stance::largest_group;
 use crate::statistics::ends;
 use crate::units::Quantity;
 
-/// Relative difference between the minimum and the maximum mass, below which all recordings belong to one walker.
+/// All recordings belong to one walker if their masses differ by less than this fraction.
 const ONE_WALKER: f64 = 0.1;
 /// Maximum deviation of the second heel strike of a stride from the middle of the stride, as a fraction of the stride.
 const LIMP: f64 = 0.1;
@@ -242,7 +242,8 @@ fn average(used: &[&Cycle], kind: Kind, left_out: Vec<Option<LeftOut>>) -> Resul
     })
 }
 
-/// Standard deviation over all values of several groups, from the count, deviation and mean of each group; `None` for a single value.
+/// Standard deviation of all values in several groups, computed from the count, deviation and mean of each group; `None` for a single
+/// value.
 fn pooled(
     counts: &[f64],
     deviation: &dyn Fn(usize) -> f64,

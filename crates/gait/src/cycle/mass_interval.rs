@@ -39,7 +39,7 @@ pub(super) fn mass_interval(
     Some((mass_kg * (1.0 - half).max(0.0), mass_kg * (1.0 + half)))
 }
 
-/// Contribution of the variation of the steps to the relative half width of the interval.
+/// Relative half width of the interval that is due to the variation of the steps.
 fn of_steps(
     recording: &Recording,
     stances: &Stances,
@@ -79,8 +79,8 @@ fn of_mean(values: &[f64], usual: f64) -> f64 {
     student_95(all) * (square / values.len().max(1) as f64).sqrt()
 }
 
-/// Contribution of the stride time to the relative half width of the interval. It is zero for a mean over whole strides, which does not
-/// depend on the stride time.
+/// Relative half width of the interval that is due to the uncertainty of the stride time. It is zero for a mean over whole strides, which
+/// does not depend on the stride time.
 fn of_clock(average: &Average) -> f64 {
     let period = average.period;
     match average.source {
@@ -93,7 +93,7 @@ fn of_clock(average: &Average) -> f64 {
     }
 }
 
-/// Contribution of the unloaded levels of the plates to the relative half width of the interval.
+/// Relative half width of the interval that is due to the uncertainty of the unloaded levels.
 fn of_levels(recording: &Recording, mass_kg: f64) -> f64 {
     let of = |noise_n: f64| (OF_LEVEL.0 * noise_n).max(OF_LEVEL.1);
     let squares = recording.live().map(|(_, c)| of(c.noise_n).powi(2));

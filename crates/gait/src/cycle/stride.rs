@@ -22,7 +22,7 @@ pub(super) struct Stride {
     contacts: Vec<Footfall>,
 }
 
-/// Relative deviation from the median duration above which a stride is not averaged.
+/// A stride is not averaged if its duration differs from the median by this fraction or more.
 pub(super) const ODD_STRIDE: f64 = 0.25;
 
 /// Strides for which every footfall is recorded.

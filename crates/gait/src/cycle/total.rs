@@ -9,9 +9,9 @@ use crate::stance::{RejectReason, Rejected, Stances, footfalls};
 use crate::statistics::{mean, mean_and_deviation, ranked};
 use crate::walk::Walk;
 
-/// Relative variation of the total force below which the person is standing.
+/// The person is standing if the coefficient of variation of the total force is below this value.
 const STEADY: f64 = 0.05;
-/// Relative deviation from the median duration above which a step is not averaged.
+/// A step is not averaged if its duration differs from the median by more than this fraction.
 const ODD_STEP: f64 = 0.25;
 /// Minimum number of regular steps in a recording of walking.
 const FEWEST_STEPS: usize = 5;
@@ -227,7 +227,8 @@ fn step_by_repetition(
     (best > REPEATS).then(|| (first + crest) as f64 / rate)
 }
 
-/// Positions, in samples, at which the mean over `half` samples on either side rises through a level after it was `margin` below the level.
+/// Positions, in samples, at which a moving mean over about `half` samples rises through `level`. The mean must first be more than `margin`
+/// below the level and then more than `margin` above it.
 fn rises(force: &[f64], half: usize, level: f64, margin: f64) -> Vec<f64> {
     let width = half.max(2) / 2;
     let count = (2 * width + 1) as f64;
@@ -246,7 +247,7 @@ fn rises(force: &[f64], half: usize, level: f64, margin: f64) -> Vec<f64> {
         if low && before <= level && now > level {
             crossing = Some((i - 1) as f64 + (level - before) / (now - before));
         }
-        // The rise is accepted once the force exceeds the level by the same margin.
+        // The rise is accepted when the moving mean exceeds the level by the margin.
         if low && now > level + margin {
             places.extend(crossing.take());
             low = false;

@@ -14,7 +14,7 @@ const BOTH: std::ops::RangeInclusive<f64> = 0.85..=1.15;
 const UNIT: f64 = 6.0;
 /// Permitted range of the mean force of one foot, as fractions of the body weight.
 const ONE: std::ops::RangeInclusive<f64> = 0.4..=0.65;
-/// Fraction of the mean force below which the foot is considered off the ground.
+/// The foot is considered off the ground if the force is below this fraction of its mean.
 const LIFTED: f64 = 0.02;
 /// Ratio of two periods above which the shorter one is the period of a step and the longer one is the period of a stride. A stride consists
 /// of two steps.

@@ -24,7 +24,7 @@ pub(super) struct TimeBase {
 /// Maximum deviation of a sample from its uniform time, in sampling intervals, that is accepted without resampling.
 const SLACK: f64 = 0.75;
 
-/// Ratio of the step between two times to the usual step, above which the step is a gap.
+/// A step between two times is a gap if it exceeds this multiple of the usual step.
 const GAP: f64 = 2.5;
 
 impl TimeBase {

@@ -179,7 +179,7 @@ pub(super) fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<Note>) {
     raw.retain(|r| r.axis == keep);
 }
 
-/// Sum over all plates of the maximum deviation of one force component from its resting level.
+/// Maximum deviation of one force component from its resting level, summed over all plates.
 fn swing_of(raw: &[RawForce], axis: Axis) -> f64 {
     let columns = raw.iter().filter(|r| r.axis == axis);
     columns.map(|r| swing(&r.values)).sum()

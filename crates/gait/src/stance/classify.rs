@@ -9,26 +9,26 @@ use crate::units::G;
 
 /// Maximum duration of a contact in running, s.
 const LONGEST_RUNNING_S: f64 = 0.5;
-/// Ratio of the duration of a contact to the typical duration, above which the contact includes more than one step.
+/// A contact includes more than one step if its duration exceeds this multiple of the typical duration.
 const LONG: f64 = 1.5;
 /// Value used instead of `LONG` for a contact whose force has more peaks than the force of one foot.
 const LONG_WITH_HUMPS: f64 = 1.15;
 /// Minimum duration of a contact that may include steps of both feet, s.
 const TWO_STEPS_S: f64 = 0.8;
-/// Fraction of the typical duration below which an incomplete contact at an end of the recording is only a fragment.
+/// An incomplete contact at an end of the recording is a fragment if it is shorter than this fraction of the typical duration.
 const FRAGMENT: f64 = 0.25;
-/// Maximum duration, s, of missing samples in a contact that is not rejected for them.
+/// Maximum duration, s, of missing samples in an accepted contact.
 const BRIDGED_S: f64 = 0.05;
-/// Ratio of the peak force of a contact to the peak force on another plate, below which the contact is cross-talk.
+/// A contact is cross-talk if its peak force is below this fraction of the peak force of a simultaneous contact on another plate.
 const CROSS_TALK: f64 = 0.3;
-/// Overlap of two contacts, as a fraction of the shorter contact, above which both contacts belong to the same foot. In walking, both feet
-/// are on the ground only for less than a third of a stance at its start and at its end.
+/// Two contacts belong to the same foot if they overlap for more than this fraction of the shorter contact. In walking, both feet are on
+/// the ground only for less than a third of a stance at its start and at its end.
 const SHARED: f64 = 0.4;
 /// Maximum total duration of two overlapping contacts that form one stance, s.
 const WHOLE_S: f64 = 0.85;
 /// Number of main contacts before and after a contact from which its typical duration is computed.
 const FELLOWS: usize = 4;
-/// Fraction of the maximum force of the recording above which a contact may be a whole step.
+/// A contact may be a whole step if its peak force exceeds this fraction of the maximum force of the recording.
 const MAIN: f64 = 0.5;
 
 /// Typical durations and forces of the whole contacts of the recording.

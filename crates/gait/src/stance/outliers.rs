@@ -7,7 +7,7 @@ use crate::statistics::median;
 
 /// Maximum relative difference of durations at a constant speed: three standard deviations of steady walking.
 const ONE_SPEED: f64 = 0.1;
-/// Fraction of stances outside the most frequent range of durations, above which the speed is considered to change.
+/// The speed is considered to change if more than this fraction of the stances is outside the most frequent range of durations.
 const OUTSIDE: f64 = 0.15;
 /// Minimum number of stances from which a change of speed is detected.
 const FEWEST: usize = 8;
@@ -23,7 +23,7 @@ const MEASURES: [(Measure, f64); 3] = [
 /// Minimum number of stances of a channel from which outliers are detected, so that at least three stances agree.
 const COMPARABLE: usize = 4;
 
-/// Number of intervals between heel strikes from whose median the local stride time is computed. A foot that crosses plates affects two
+/// The local stride time is the median of this number of consecutive intervals between heel strikes. A foot that crosses plates affects two
 /// intervals.
 const IN_A_ROW: usize = 5;
 

@@ -28,7 +28,7 @@ const FLIGHT_S: std::ops::Range<f64> = 0.02..0.3;
 const AIRBORNE_S: std::ops::Range<f64> = 0.08..1.0;
 /// Minimum duration of standing before a jump, s.
 const BEFORE_JUMP_S: f64 = 0.8;
-/// Ratio of the peak force after a flight to the median force before the flight, above which the flight is a jump.
+/// A flight is a jump if the peak force after it exceeds this multiple of the median force before it.
 const LANDING: f64 = 1.6;
 /// Maximum time from contact to the impact peak of a landing from a height, s. It is less than the time to push-off in the shortest walking
 /// contact (0.32 s, which is 0.76 of `BRISK_S`). In synthetic landings, the time is 0.06 s. Measured landings were not available.
@@ -36,17 +36,17 @@ const IMPACT_S: f64 = 0.25;
 /// Ratio of the impact peak to the mean force of the contact, above which the contact is a landing. It is at most 1.67 for fast walking
 /// (1.7 to 2.3 m/s, Pataky et al. 2008), and 2.6 to 3.6 for synthetic landings.
 const DROP: f64 = 1.9;
-/// Fraction of a contact before which the first peak of a landing occurs. In walking, the first peak occurs at a fraction of 0.18 to 0.3.
+/// A first peak before this fraction of the contact indicates a landing. In walking, the fraction is 0.18 to 0.3.
 const EARLY: f64 = 0.155;
 /// Maximum number of contacts from which no rhythm can be determined.
 const FEW: usize = 2;
 /// Maximum time between the landings of the two feet in a jump, s.
 const TOGETHER_S: f64 = 0.08;
-/// Fraction of the maximum force of the recording above which a contact is a step.
+/// A contact is a step if its peak force exceeds this fraction of the maximum force of the recording.
 const MAIN: f64 = 0.4;
 /// Maximum coefficient of variation of the total force in quiet standing.
 const QUIET: f64 = 0.12;
-/// Fraction of the weight below which the person is seated.
+/// The person is seated if the force is below this fraction of the weight.
 const SEATED: f64 = 0.6;
 /// Number of equally spaced times at which the total force is evaluated to determine its level.
 const LOOKS: usize = 400;

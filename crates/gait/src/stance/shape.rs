@@ -6,7 +6,7 @@ use crate::statistics::ends;
 /// Minimum depth of a valley below the lower peak, as a fraction of the maximum force.
 const VALLEY: f64 = 0.01;
 
-/// Ratio of the force at mid-stance to the force at the quarters of the stance, above which both feet are on the plate.
+/// Both feet are on the plate if the force at mid-stance exceeds the forces at the quarters of the stance by this factor.
 const DOUBLE_SUPPORT: f64 = 1.12;
 
 /// Peaks, valley and impulse of a stance.

@@ -82,7 +82,7 @@ pub(crate) fn footfalls(recording: &Recording, stances: &Stances) -> Vec<Footfal
     falls
 }
 
-/// Ratio of a pause in one column to the duration of a running stance, below which the next contact belongs to the other foot.
+/// In running, the next contact in a column belongs to the other foot if the pause is shorter than this fraction of the stance.
 const ALTERNATE: f64 = 0.9;
 
 /// Whether two consecutive stances belong to the same foot; `None` if this is unknown.

@@ -6,7 +6,7 @@
 use super::crowd;
 use crate::statistics::median;
 
-/// Fraction of the maximum reading above which readings are examined.
+/// Readings above this fraction of the maximum reading are examined.
 const UPPER: f64 = 0.6;
 /// Half width of the band that counts as one level: as a fraction of the maximum reading, and in standard deviations of the noise.
 const WIDTH: (f64, f64) = (0.004, 2.5);

@@ -5,15 +5,16 @@
 
 use std::ops::Range;
 
-/// Minimum duration of a run of missing samples that means an unloaded plate, s. A swing phase is not shorter.
+/// Minimum duration, s, of a run of missing samples on an unloaded plate. A swing phase is not shorter.
 const UNLOADED_S: f64 = 0.1;
-/// Maximum reading next to a run of missing samples that means an unloaded plate, as a fraction of the maximum reading of the recording.
+/// Maximum reading next to a run of missing samples on an unloaded plate, as a fraction of the maximum reading of the recording.
 const LOW: f64 = 0.3;
 /// Time before or after a run of missing samples, s, and change of the force, N. A larger change within this time means a toe-off or heel
 /// strike.
 const EDGE: (f64, f64) = (0.015, 10.0);
 
-/// Minimum sampling rate, Hz, at which a sample must be similar to one of the adjacent samples, because an impact lasts 10 ms or more.
+/// Minimum sampling rate for the detection of spikes, Hz. At this rate, every sample is similar to an adjacent sample, because an impact
+/// lasts 10 ms or more.
 const DENSE_HZ: f64 = 180.0;
 /// Minimum difference between a spike and the samples on both sides. It is given as a fraction of the maximum level that lasts longer than
 /// a spike, and in N.

@@ -11,13 +11,13 @@ use clipped::clipped;
 use drift::{SMALLEST_N, drift};
 use missing::fill;
 
-/// Difference between maximum and minimum reading, N, below which a channel is nearly constant.
+/// A channel is nearly constant if its maximum and minimum readings differ by less than this value, N.
 const TOUCHED_N: f64 = 30.0;
 
-/// Duration of a recording, s, below which a nearly constant reading may be a load.
+/// In a recording shorter than this duration, s, a nearly constant reading may be a load.
 const STEP_S: f64 = 0.4;
 
-/// Fraction of the maximum reading above which a level is a load.
+/// A level above this fraction of the maximum reading is a load.
 const LOADED: f64 = 0.15;
 
 /// Factor by which the number of readings may increase if the unloaded band is twice as wide. Above this factor, the band is too narrow.

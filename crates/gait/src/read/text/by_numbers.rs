@@ -6,7 +6,7 @@ use crate::statistics::sample;
 /// Number of evenly distributed rows from which the columns are classified.
 const SAMPLE: usize = 4096;
 
-/// Number of columns above which unnamed columns are pressure sensors, not plates (twelve plates with six values each).
+/// Maximum number of unnamed columns of plates: twelve plates with six values each. More columns are pressure sensors.
 const MOST_VALUES: usize = 72;
 
 /// Feet of the two force columns (left, right), if the table has the columns of insoles. These are the time, two sets with the same number

@@ -19,7 +19,7 @@ const MOST_FORCES: usize = 1000;
 /// Minimum number of rows of a recording without column names.
 const FEWEST: usize = 10;
 
-/// Number of columns above which a table without names is not a force recording.
+/// Maximum number of columns that are read from a table without names. Force recordings have fewer columns.
 const WIDEST: usize = 400;
 
 /// Selected columns of a table, and their interpretation.

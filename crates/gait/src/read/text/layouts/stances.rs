@@ -125,7 +125,7 @@ fn mean_mass(rows: &[Row], notes: &mut Vec<Note>) -> Option<f64> {
     (!masses.is_empty()).then(|| mean(&masses))
 }
 
-/// Samples of all stances one after the other, and the position of each stance.
+/// Concatenated samples of all stances, and the range of samples of each stance.
 fn stances(file: &TextFile, table: &Table) -> Result<(Vec<f64>, Vec<Row>)> {
     let (delimiters, options) = (file.delimiters, file.options);
     let first = numbered(&table.names).unwrap_or(0);
