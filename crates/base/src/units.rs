@@ -1,8 +1,9 @@
 //! Quantities with units: `"3 in"` becomes 0.0762 m.
 //!
-//! A quantity is a number, an optional space, and a unit expression of factors joined by `*`, space, `/` and `^`. Examples are `"30
-//! psi/in^3"`, `"40 m/s^2"` and `"2 N m"`. The number may have a decimal comma or be a fraction: `"2,5 mm"`, `"3/8 in"`, `"1 3/8 in"`,
-//! `"1-3/8 in"`. Angle is a separate dimension, so degrees are rejected where metres are expected. Results are in SI units and radians.
+//! A quantity is a number, an optional space, and a unit expression of factors joined by `*`, space, `/` and `^`. Examples are
+//! `"30 psi/in^3"`, `"40 m/s^2"` and `"2 N m"`. The number may have a decimal comma or be a fraction: `"2,5 mm"`, `"3/8 in"`,
+//! `"1 3/8 in"`, `"1-3/8 in"`. Angle is a separate dimension, so degrees are rejected where metres are expected. Results are in SI
+//! units and radians.
 
 use crate::error::{Error, Result, UnitsError, nearest};
 use crate::quantity::Exponents;

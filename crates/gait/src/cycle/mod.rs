@@ -147,7 +147,7 @@ impl Average {
 
 /// Averages the stances of a recording to one cycle.
 ///
-/// `feet` selects the sum of both feet, the mean stance of one foot, the left or right foot, or a column with the total of both feet.
+/// `feet` selects the sum of both feet, the mean of all stances as one foot, only the left or right foot, or a column with the total force.
 ///
 /// # Errors
 ///

@@ -21,8 +21,8 @@ const FRAGMENT: f64 = 0.25;
 const BRIDGED_S: f64 = 0.05;
 /// A contact is cross-talk if its peak force is below this fraction of the peak force of a simultaneous contact on another plate.
 const CROSS_TALK: f64 = 0.3;
-/// Two contacts belong to the same foot if they overlap for more than this fraction of the shorter contact. In walking, both feet are on
-/// the ground only for less than a third of a stance at its start and at its end.
+/// Two contacts on different plates belong to the same foot if they overlap for more than this fraction of the shorter contact. In walking,
+/// both feet are on the ground only for less than a third of a stance at its start and at its end.
 const SHARED: f64 = 0.4;
 /// Maximum total duration of two overlapping contacts that form one stance, s.
 const WHOLE_S: f64 = 0.85;

@@ -23,8 +23,9 @@ const LOADED: f64 = 0.15;
 /// Factor by which the number of readings may increase if the unloaded band is twice as wide. Above this factor, the band is too narrow.
 const BROAD: f64 = 1.2;
 
-/// Constants for a span with a nearly constant reading, from which the unloaded level is computed. They are its minimum duration, s, the
-/// duration of each end that is omitted, s, and the minimum difference, N, between its mean and the most frequent level.
+/// Constants for a span with a nearly constant reading, from which the unloaded level is computed. The first two are its minimum duration,
+/// s, and the duration of each end that is omitted, s. The third is the minimum difference, N, between its mean and the most frequent
+/// level.
 const REST: (f64, f64, f64) = (0.2, 0.05, 1.0);
 
 /// Duration of each end of a recording that is examined, s, and a difference of levels, N. If the unloaded level during the walk exceeds
