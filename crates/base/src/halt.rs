@@ -1,10 +1,11 @@
-//! Stop condition of a computation. The library has no clock and polls this object instead.
+//! Stop condition of a computation. The library does not read a clock. The caller supplies the condition, for example a time limit.
 
 use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-/// Stop condition, polled by every iterative computation between its steps. When it is true, the computation returns its best result so far.
+/// Stop condition, polled by every iterative computation between its steps. When it is true, the computation returns its best result so
+/// far.
 ///
 /// ```
 /// use gaitcam_base::halt::Halt;
@@ -21,7 +22,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 #[derive(Clone, Default)]
 pub struct Halt {
     asked: Option<Arc<dyn Fn() -> bool + Send + Sync>>,
-    /// Whether the condition was true at any poll; shared by all copies.
+    /// Whether the condition was true at any poll of this object or of a copy.
     was_heard: Arc<AtomicBool>,
 }
 
@@ -39,8 +40,10 @@ impl Halt {
         }
     }
 
-    /// A condition that stops computations when `asked` returns true, or after a given number of polls. For the same input, a computation
-    /// polls equally often on every machine.
+    /// The condition with a limit on the number of polls. After `looks` polls it is always true.
+    ///
+    /// For the same input, a computation polls equally often on every machine. With this limit, the result does not depend on the speed of
+    /// the machine.
     ///
     /// ```
     /// use gaitcam_base::halt::Halt;

@@ -20,7 +20,7 @@ pub(crate) type Exponents = [i32; 4];
 #[strum(serialize_all = "kebab-case")]
 #[allow(missing_docs)] // the names are the documentation
 pub enum Dimension {
-    /// A plain number or a percentage.
+    /// A dimensionless number, written as a plain number or as a percentage.
     Ratio,
     /// A fraction that must be written with %, because a number without % would be ambiguous.
     Percent,
@@ -48,9 +48,9 @@ pub enum Dimension {
     AngularDamping,
     /// Moment of inertia, kg·m².
     Inertia,
-    /// Derivative of the lift with respect to the cam angle: m/rad, m/rad², m/rad³, by order.
+    /// Derivative of the lift with respect to the cam angle, of order 1 to 3, in m/rad, m/rad² or m/rad³.
     LengthPerAngle(u8),
-    /// Derivative of an oscillating follower's angle with respect to the cam angle: rad/rad … rad/rad³, by order.
+    /// Derivative of the angle of an oscillating follower with respect to the cam angle, of order 1 to 3, in rad/rad, rad/rad² or rad/rad³.
     AnglePerAngle(u8),
 }
 
@@ -105,7 +105,7 @@ impl Dimension {
         <&str>::from(self).replace('-', " ")
     }
 
-    /// SI unit, as written in scenes and tables.
+    /// Name of the SI unit, as written in scenes and tables.
     pub fn si(self) -> &'static str {
         self.row().1
     }
@@ -162,7 +162,7 @@ impl Quantity {
         Quantity::new(value, Dimension::Time)
     }
 
-    /// A fraction: 0.05 is 5 %.
+    /// A quantity from a fraction. It is displayed as a percentage: 0.05 is 5 %.
     pub fn share(value: f64) -> Quantity {
         Quantity::new(value, Dimension::Percent)
     }

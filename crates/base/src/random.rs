@@ -16,7 +16,7 @@ pub fn mixed(x: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// Number in [0, 1) from the top 53 bits. If the bits are random, the number is uniformly distributed.
+/// Converts the upper 53 bits to a number in [0, 1). Random bits give a uniform distribution.
 pub fn unit(bits: u64) -> f64 {
     (bits >> 11) as f64 / (1_u64 << 53) as f64
 }
@@ -35,7 +35,7 @@ pub struct Sequence {
 }
 
 impl Sequence {
-    /// Starts the sequence that belongs to a seed.
+    /// Starts a sequence. Equal seeds give equal sequences.
     pub fn new(seed: u64) -> Sequence {
         Sequence { state: seed }
     }

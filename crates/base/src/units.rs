@@ -1,8 +1,9 @@
 //! Quantities with units: `"3 in"` becomes 0.0762 m.
 //!
-//! A quantity is a number, an optional space, and a unit expression of factors joined by `*`, space, `/` and `^`: `"30 psi/in^3"`, `"40 m/s^2"`,
-//! `"2 N m"`. The number may have a decimal comma or be a fraction: `"2,5 mm"`, `"3/8 in"`, `"1 3/8 in"`, `"1-3/8 in"`. Angle is a separate
-//! dimension, so degrees are rejected where metres are expected. Results are in SI units and radians.
+//! A quantity is a number, an optional space, and a unit expression of factors joined by `*`, space, `/` and `^`. Examples are
+//! `"30 psi/in^3"`, `"40 m/s^2"` and `"2 N m"`. The number may have a decimal comma or be a fraction: `"2,5 mm"`, `"3/8 in"`,
+//! `"1 3/8 in"`, `"1-3/8 in"`. Angle is a separate dimension, so degrees are rejected where metres are expected. Results are in SI
+//! units and radians.
 
 use crate::error::{Error, Result, UnitsError, nearest};
 use crate::quantity::Exponents;
@@ -11,8 +12,8 @@ pub use crate::quantity::{Dimension, Quantity};
 /// Standard gravity as used in the source papers, m/s² (Campillo de Blas 2017, eq. 22).
 pub const G: f64 = 9.81;
 
-/// Units: name, factor to the SI unit, and exponents of metre, kilogram, second and radian. The meaning of pound depends on the dimension:
-/// see [`parse`].
+/// Units: name, factor to the SI unit, and exponents of metre, kilogram, second and radian. [`parse`] describes how the dimension
+/// determines the meaning of pound.
 const UNITS: &[(&str, f64, Exponents)] = &[
     ("m", 1.0, [1, 0, 0, 0]),
     ("km", 1e3, [1, 0, 0, 0]),
@@ -61,7 +62,7 @@ pub const LBF: f64 = 4.448_221_615_260_5;
 /// One pound (mass) in kilograms.
 const LB: f64 = 0.453_592_37;
 
-/// Parses a quantity of the given dimension; the result is in SI units and radians.
+/// Parses a quantity of the given dimension. The result is in SI units and radians.
 ///
 /// `"0"` needs no unit, because zero is equal in every unit. A [`Dimension::Ratio`] needs no unit either. Any other number without a unit
 /// is rejected. `lb` is a mass where a mass is expected, otherwise a force. `inf` and magnitudes above 1e30 are rejected, so products of a
@@ -116,7 +117,8 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
 /// Maximum magnitude of a value in SI units. Products of a few such values are finite.
 const MOST: f64 = 1e30;
 
-/// Checks that products of a few values of this magnitude, in SI units, do not overflow.
+/// Checks that the magnitude of a value in SI units is at most 1e30, so that products of a few such values do not overflow. `text` is the
+/// input, which the error contains.
 ///
 /// # Errors
 ///
@@ -156,14 +158,16 @@ fn leading_number(text: &str) -> Option<(f64, &str)> {
     })
 }
 
-/// `value` divided by the number after a slash at the start of `rest`, and the remaining text.
+/// `value` divided by the number after a slash at the start of `rest`, and the remaining text. `None` unless a slash and a positive number
+/// follow.
 fn quotient(value: f64, rest: &str) -> Option<(f64, &str)> {
     let (number, after) = split_number(rest.trim_start().strip_prefix('/')?.trim_start());
     let divisor: f64 = number.replace(',', ".").parse().ok()?;
     (divisor > 0.0).then(|| (value / divisor, after))
 }
 
-/// Text without thousands separators, `1234.5 mm` for `1.234,5 mm` and `1,234.5 mm`; `None` if the text contains none.
+/// Text without thousands separators, for example `1234.5 mm` for `1.234,5 mm` and for `1,234.5 mm`. `None` if the text contains no
+/// thousands separators.
 fn without_groups(text: &str) -> Option<String> {
     let mark = |c: char| c == '.' || c == ',';
     let end = text.find(|c: char| !(c.is_ascii_digit() || mark(c) || "+-".contains(c)));
@@ -177,8 +181,8 @@ fn without_groups(text: &str) -> Option<String> {
     groups.all(|g| g.len() == 3).then(|| plain + rest)
 }
 
-/// Splits "1.85e-3mm" into "1.85e-3" and "mm". An `e` is an exponent only before a digit. A comma is a decimal mark only if it follows at
-/// least one digit, precedes a digit, and is the first decimal mark in the number.
+/// Splits "1.85e-3mm" into "1.85e-3" and "mm". An `e` is an exponent only before a digit. A comma is a decimal mark only between digits,
+/// and only if it is the first decimal mark in the number.
 fn split_number(text: &str) -> (&str, &str) {
     let b = text.as_bytes();
     let digit = |i: usize| b.get(i).is_some_and(u8::is_ascii_digit);
@@ -273,13 +277,13 @@ fn unknown_unit(unit: &str, dimension: Dimension) -> Error {
     let shouted = |u: &&(&'static str, f64, Exponents)| u.0.eq_ignore_ascii_case(unit);
     // If the unit is itself a number, no similar unit is suggested.
     let worded = !unit.starts_with(|c: char| c.is_ascii_digit());
-    // Order of preference: same dimension and same letters; same dimension; same letters; any unit.
+    // Order of preference: equal letters and dimension, similar letters and equal dimension, equal letters, similar letters.
     let meant = (UNITS.iter().filter(fits).find(shouted).map(|u| u.0))
         .or_else(|| nearest(unit, UNITS.iter().filter(fits).map(|u| u.0)))
         .or_else(|| UNITS.iter().find(shouted).map(|u| u.0))
         .or_else(|| nearest(unit, UNITS.iter().map(|u| u.0)))
         .filter(|_| worded);
-    // A power without its sign: in3 for in^3.
+    // If a unit is followed by a digit, the caret is probably missing: `in3` instead of `in^3`.
     let base = unit.trim_end_matches(|c: char| c.is_ascii_digit());
     let power = (base.len() < unit.len() && lookup(base, dimension).is_some())
         .then(|| format!("{base}^{}", &unit[base.len()..]));
@@ -385,7 +389,7 @@ mod tests {
                 .is_ok_and(|x| (x / expected - 1.0).abs() < 1e-12);
             assert!(near, "{text}: {got:?}");
         }
-        // What may be a list or thousands, and what divides by nothing, stays refused.
+        // Texts that may be lists or have thousands separators, and divisions by zero, are rejected.
         for text in [
             "1,000.5 mm",
             "1.000,5 mm",

@@ -9,8 +9,8 @@ use crate::walk::Walk;
 
 /// Exponent of the long-range correlation of step times.
 ///
-/// Published values are 0.83 for one healthy person over nine minutes (Goldberger et al., PhysioNet tutorial on fractal mechanisms) and
-/// 0.76 on average for ten young men (Hausdorff et al. 1995, quoted from memory).
+/// A published value is 0.83 for one healthy person over nine minutes (Goldberger et al., PhysioNet tutorial on fractal mechanisms).
+/// Another is 0.76 on average for ten young men (Hausdorff et al. 1995, quoted from memory).
 const EXPONENT: f64 = 0.8;
 
 /// Statistics of the steps of a generated walk.
@@ -23,18 +23,18 @@ const EXPONENT: f64 = 0.8;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct StepStatistics {
-    /// Number of strides; each consists of two steps.
+    /// Number of strides of two steps each.
     pub strides: usize,
     /// Coefficient of variation of the step time.
     pub step_time_cv: f64,
-    /// Coefficient of variation of the amplitude of the force about its mean.
+    /// Coefficient of variation of the amplitude with which the force varies about its mean.
     pub amplitude_cv: f64,
-    /// Seed of the random numbers; equal seeds give equal walks.
+    /// Seed of the random numbers. Equal seeds give equal walks.
     pub seed: u64,
 }
 
 impl Default for StepStatistics {
-    /// Defaults: 128 strides, step times that vary by 3 %, and a constant amplitude.
+    /// Default values: 128 strides, a coefficient of variation of the step time of 3 %, and a constant amplitude.
     fn default() -> StepStatistics {
         StepStatistics {
             strides: 128,
@@ -46,10 +46,12 @@ impl Default for StepStatistics {
 }
 
 impl Walk {
-    /// Walk whose steps vary at random. `step_s` is the mean duration of a step, s; `force` is the periodic force, N, at a phase in steps.
+    /// Walk whose steps vary at random. `step_s` is the mean duration of a step, s, and `force` is the periodic force, N, at a phase in
+    /// steps.
     ///
-    /// The step times have a long-range correlation; the amplitudes of the steps are independent. The step times and the amplitudes have
-    /// exactly the given coefficients of variation. `None` for fewer than eight strides or if the duration of a step is not positive.
+    /// The step times have a long-range correlation. The amplitudes of the steps are independent. The step times and the amplitudes have
+    /// exactly the given coefficients of variation. `None` for fewer than eight strides, or if the random duration of a step is not
+    /// positive.
     ///
     /// ```
     /// use gaitcam_gait::{StepStatistics, Walk};
@@ -59,7 +61,7 @@ impl Walk {
     /// let of = walk.variability();
     /// assert_eq!((of.strides, walk.runs.len()), (128, 1));
     /// assert!((of.step_time_s - 0.54).abs() < 1e-9 && (of.step_time_cv - 0.03).abs() < 3e-4);
-    /// // The next step is similar to this one.
+    /// // Consecutive step times are correlated.
     /// assert!(of.autocorrelation > 0.2);
     /// ```
     pub fn generated(
@@ -92,7 +94,7 @@ impl Walk {
         Walk::of(&strides, false, |stride, time| {
             let step = 2 * stride + usize::from(time >= strikes[2 * stride + 1]);
             let part = (time - strikes[step]) / (strikes[step + 1] - strikes[step]);
-            // The amplitude changes linearly from one heel strike to the next, so that the force has no step.
+            // The amplitude changes linearly from one heel strike to the next, so that the force is continuous.
             let [a, b] = [parts[step], parts[(step + 1) % count]];
             level + (a + part * (b - a)) * (force(step as f64 + part) - level)
         })
@@ -132,7 +134,7 @@ fn correlated(dice: &mut Dice, count: usize) -> Vec<f64> {
             weights.push(last);
             variance *= 1.0 - last * last;
         }
-        // Weight j belongs to the value j + 1 places before.
+        // Weight j belongs to the value j + 1 steps earlier.
         let predicted: f64 = weights
             .iter()
             .zip(values.iter().rev())

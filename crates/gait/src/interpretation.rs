@@ -10,7 +10,7 @@ use crate::recording::{
 };
 use crate::stance::{Point, RejectReason};
 
-/// How a recording was interpreted: file, movement, columns, stride duration, detected stances, assumptions and open questions.
+/// Interpretation of a recording: file, movement, columns, stride duration, detected stances, assumptions and open questions.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, Kind, ReadOptions, force_curve};
@@ -25,7 +25,7 @@ use crate::stance::{Point, RejectReason};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Interpretation {
-    /// Name of the recorded file.
+    /// Name of the file with the recording.
     pub file: String,
     /// Format of the file.
     pub format: Format,
@@ -41,7 +41,7 @@ pub struct Interpretation {
     pub unit_from: UnitSource,
     /// Columns (plates, insoles, belts) of vertical force.
     pub columns: Vec<Column>,
-    /// Feet whose force the cycle contains.
+    /// Feet to which the force of the cycle belongs.
     pub feet: Feet,
     /// All contacts, used or rejected, in order of time.
     pub contacts: Vec<Contact>,
@@ -92,7 +92,7 @@ pub struct Clock {
 /// use gaitcam_gait::{Feet, ReadOptions, force_curve};
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
-/// // The plates of this made recording read +4 N and −6 N when unloaded.
+/// // The unloaded readings of the plates in this generated recording are +4 N and −6 N.
 /// let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
 /// let baselines: Vec<f64> = curve.recording.unwrap().columns.iter().map(|c| c.baseline_n).collect();
 /// assert!((baselines[0] - 4.0).abs() < 0.5 && (baselines[1] + 6.0).abs() < 0.5);
@@ -110,7 +110,8 @@ pub struct Column {
     pub noise_n: f64,
     /// Reason for the exclusion of the column; `None` if it is included.
     pub idle: Option<Idle>,
-    /// Minimum and maximum force, N, in time intervals of equal duration over the whole recording; for a figure.
+    /// Minimum and maximum force, N, in time intervals of equal duration over the whole recording. A figure of the recording is drawn from
+    /// them.
     pub envelope_n: Vec<[f64; 2]>,
 }
 
@@ -120,7 +121,7 @@ pub struct Column {
 /// use gaitcam_gait::{Feet, ReadOptions, RejectReason, force_curve};
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
-/// // The recording begins while the right foot stands.
+/// // The right foot is on the ground when the recording begins.
 /// let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
 /// let first = curve.recording.unwrap().contacts[0].clone();
 /// assert_eq!((first.from_s, first.rejected), (0.0, Some(RejectReason::CutAtStart)));
@@ -150,7 +151,7 @@ pub struct Contact {
 /// use gaitcam_gait::{Feet, ReadOptions, StrideReject, force_curve};
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
-/// // Strides that begin with the other foot share the samples of the averaged ones.
+/// // Strides that begin with the other foot share samples with the averaged strides.
 /// let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
 /// let strides = curve.recording.unwrap().strides.clone();
 /// let used = strides.iter().filter(|s| s.rejected.is_none()).count();
@@ -262,7 +263,8 @@ pub struct MeanStanceCurve {
     pub mean_n: Vec<f64>,
     /// Standard deviation from stance to stance, N, for two or more stances.
     pub spread_n: Option<Vec<f64>>,
-    /// Loading peak, valley and push-off peak: each is a mean over the stances that have it.
+    /// Loading peak, valley and push-off peak. Each is the mean over the stances in which it exists; `None` if at least half of the stances
+    /// lack it.
     pub landmarks: [Option<Point>; 3],
 }
 
@@ -272,12 +274,12 @@ impl Interpretation {
         Note::doubts(&self.warnings)
     }
 
-    /// Warnings that raise a question.
+    /// Warnings from which the given question follows.
     pub fn opened_by(&self, question: OpenQuestion) -> Vec<Note> {
         Note::opening(&self.warnings, question)
     }
 
-    /// Codes of the warnings, without repetition, in order.
+    /// Codes of the warnings in order of their first occurrence, each once.
     pub fn codes(&self) -> Vec<&'static str> {
         let mut all: Vec<&str> = Vec::new();
         for code in self.warnings.iter().map(Note::code) {
@@ -288,14 +290,14 @@ impl Interpretation {
         all
     }
 
-    /// Numbers of used and rejected contacts.
+    /// Number of used contacts, and number of rejected contacts.
     pub fn counts(&self) -> (usize, usize) {
         let used = self.contacts.iter().filter(|c| c.rejected.is_none());
         let used = used.count();
         (used, self.contacts.len() - used)
     }
 
-    /// Mean stances for a figure, left foot first.
+    /// Mean stances for a figure, left foot first; empty without an overlay.
     pub fn means(&self) -> &[MeanStanceCurve] {
         self.overlay.as_ref().map_or(&[], |o| &o.means)
     }
@@ -327,7 +329,7 @@ impl Interpretation {
     }
 }
 
-/// Converts an enum to its code and its data.
+/// Converts an enum value to a JSON object that contains its code and its data.
 pub fn coded(value: &impl Serialize) -> Value {
     match serde_json::to_value(value) {
         Ok(Value::Object(map)) if map.len() == 1 => map

@@ -40,7 +40,7 @@ fn digits(value: f64, count: i32) -> f64 {
         return value;
     }
     let places = count - 1 - libm::log10(value.abs()).floor() as i32;
-    // Division by a power of ten gives a number with a short text; multiplication by 0.01 does not.
+    // After division by a power of ten, the number has a short text. After multiplication by 0.01, it may have a long text.
     if places >= 0 {
         let scale = 10f64.powi(places);
         (value * scale).round() / scale

@@ -11,10 +11,10 @@ use crate::read::{is_marked_cycle, marked_cycle, read};
 use crate::recording::{Feet, ReadOptions};
 use crate::stance::stances;
 
-/// Reads a file that is one cycle: a text that is marked as a cycle, such as from [`ForceCurve::to_csv`], or any table if a period or a
-/// span is given. `None` for other files.
+/// Reads a file that contains one cycle. This is a text marked as a cycle, such as from [`ForceCurve::to_csv`], or any table if a period or
+/// a span is given. `None` for other files.
 ///
-/// If a span is given and the file is a recording, the mean stance fills the span; `feet` selects the stances.
+/// If a span is given and the file is a recording, the mean stance fills the span. `feet` selects the stances.
 ///
 /// # Errors
 ///
@@ -31,7 +31,7 @@ pub fn one_cycle(
             span_rad: None,
             ..options.clone()
         };
-        // A table that is not a recording covers the span unchanged.
+        // If no stances are found, the table is read as one cycle that covers the span.
         if let Ok(recording) = read(path, bytes, &raw) {
             let found = stances(&recording);
             let file = name(path);

@@ -14,7 +14,7 @@ use crate::stance::Point;
 /// let understood = curve.recording.unwrap();
 /// let rows = understood.stance_rows();
 /// assert_eq!((rows.len(), rows[0].used, rows[0].why), (21, false, "cut-at-start"));
-/// // Strides carry the weight: their impulse is m g T.
+/// // The impulse of a stride is the weight times its duration.
 /// let strides = understood.stride_rows();
 /// let impulse_ns: f64 = strides.iter().filter_map(|s| s.impulse_ns).sum();
 /// let duration_s: f64 = strides.iter().map(|s| s.end_s - s.start_s).sum();
@@ -47,7 +47,7 @@ pub struct StepRow<'a> {
 }
 
 impl Interpretation {
-    /// Rows of all contacts in order of time. A rejected contact has no peaks.
+    /// Rows of all contacts in order of time. A contact that is not a whole stance has no peaks.
     pub fn stance_rows(&self) -> Vec<StepRow<'_>> {
         let row = |c: &Contact| {
             let column = self.columns.get(c.column);

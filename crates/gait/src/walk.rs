@@ -13,13 +13,14 @@ use crate::statistics::{mean, sample_deviation};
 pub const FEWEST_STRIDES: usize = 8;
 /// Number of force samples per stride.
 const OF_STRIDE: usize = 128;
-/// Number of equally spaced times in a stride at which the force is taken to compute its harmonics.
+/// Number of equally spaced times in a stride at which the force is evaluated to compute its harmonics.
 const PHASES: usize = 64;
 /// Number of harmonics of the step frequency that are computed.
 const HARMONICS: usize = 4;
 /// Maximum difference, s, between the end of a stride and the start of another stride, for which the strides count as consecutive.
 const SAME_S: f64 = 1e-6;
-/// Relative change of the stride time, from the first to the last quarter of the strides, above which the pace is considered to change.
+/// The pace is considered to change if the mean stride times of the first and the last quarter of the strides differ by more than this
+/// fraction.
 const STEADY: f64 = 0.05;
 
 /// Consecutive strides of a recording as one force over time, repeated periodically.
@@ -49,7 +50,7 @@ pub struct Walk {
     pub duration_s: f64,
     /// Number of strides of each unbroken run.
     pub runs: Vec<usize>,
-    /// Times of the heel strikes, s. The feet alternate, with two heel strikes per stride; the first time is 0.
+    /// Times of the heel strikes, s. The first time is 0. The feet alternate, with two heel strikes per stride.
     pub steps_s: Vec<f64>,
     /// Whether only one foot was recorded. The other foot is then assumed to repeat its force half a stride later.
     pub is_one_foot: bool,
@@ -60,7 +61,7 @@ pub struct Walk {
 /// ```
 /// use gaitcam_gait::Walk;
 ///
-/// // Ten strides of 1 s; the force of odd ones alternates by 100 N, of even ones by 120 N.
+/// // Ten strides of 1 s. The amplitude of the force is 100 N and 120 N in alternate strides.
 /// let swing = |k: usize| if k % 2 == 0 { 100.0 } else { 120.0 };
 /// let wave = |k: usize, t: f64| 700.0 + swing(k) * (2.0 * std::f64::consts::TAU * t).cos();
 /// let strikes: Vec<[f64; 3]> = (0..10).map(|k| [0.0, 0.5, 1.0].map(|t| t + k as f64)).collect();
@@ -77,13 +78,13 @@ pub struct Variability {
     /// Mean duration of a step, s.
     pub step_time_s: f64,
     /// Standard deviation of the step time, relative to the mean step time. Deviations are from the mean step time of the same foot. If
-    /// only one foot was recorded, half the stride time is used instead of the step time.
+    /// only one foot was recorded, stride times are used instead of step times.
     pub step_time_cv: f64,
-    /// Coefficient of variation, over the strides, of the amplitude of the force at the step frequency of each stride.
+    /// Coefficient of variation of the amplitude of the force at the step frequency. The amplitude is computed for each stride.
     pub amplitude_cv: f64,
-    /// Coefficients of variation of the amplitudes of the first four harmonics of the step frequency.
+    /// Coefficients of variation of the first four harmonic amplitudes. The first harmonic is at the step frequency.
     pub harmonics_cv: [f64; HARMONICS],
-    /// Correlation coefficient between the deviations of consecutive step times.
+    /// Correlation coefficient of consecutive step times, computed from their deviations from the mean.
     pub autocorrelation: f64,
     /// Relative change of the stride time: mean of the last quarter of the strides minus mean of the first quarter, divided by the overall
     /// mean.
@@ -173,7 +174,7 @@ impl Walk {
     /// Part of the walk with a given number of consecutive strides. Of all such parts, the part whose mean stride time is nearest to the
     /// mean of the whole walk is returned.
     ///
-    /// The force is blended where the last stride is joined to the first one. `None` if the walk has fewer strides.
+    /// The force is blended where the last stride is joined to the first one. `None` if the walk has fewer strides or `strides` is 0.
     pub fn typical(&self, strides: usize) -> Option<Walk> {
         let starts = self.strides_s();
         let usual = self.duration_s / self.strides() as f64;
@@ -283,7 +284,7 @@ impl Walk {
         }
     }
 
-    /// Step times, s, alternating between the feet; stride times if only one foot was recorded.
+    /// Step times, s, alternating between the feet. If only one foot was recorded, they are stride times.
     fn step_times(&self) -> Vec<f64> {
         let every = if self.is_one_foot { 2 } else { 1 };
         let strikes = self.steps_s.iter().step_by(every).copied();
@@ -291,7 +292,7 @@ impl Walk {
         strikes.windows(2).map(|w| w[1] - w[0]).collect()
     }
 
-    /// Ranges of `steps` that belong to the same run.
+    /// Ranges of indices in `steps`, one for each run.
     fn runs_of<'a>(
         &'a self,
         steps: &'a [f64],
@@ -329,7 +330,7 @@ impl Walk {
     }
 }
 
-/// Deviations of the step times in a range from the mean step time of the same foot. The feet alternate.
+/// Deviations, s, of the step times in a range from the mean step time of the same foot. The feet alternate.
 fn about(range: std::ops::Range<usize>, steps: &[f64], feet: usize) -> Vec<f64> {
     let of_foot = |foot: usize| {
         let own: Vec<f64> = steps.iter().skip(foot).step_by(feet).copied().collect();

@@ -1,4 +1,5 @@
-//! Trait for the error enum of one area (subject), such as tables, and an interface through which an error can contain any of these enums.
+//! Trait `Fault` for the error enum of one area (subject), such as tables. The trait `AnyFault` is the common interface of these enums, so
+//! that an error can contain any of them.
 
 use std::any::Any;
 use std::fmt::Debug;
@@ -7,8 +8,9 @@ use serde::Serialize;
 
 use crate::wording::{Catalogue, Language, code};
 
-/// Trait for the error enum of one area, such as tables. The fields of a variant are the data of its message. The message has the key
-/// `AREA-variant` in a catalogue; its attribute `.help` is the suggested change.
+/// Trait for the error enum of one area (subject), such as tables. The fields of a variant are the data of its message.
+///
+/// The message has the key `AREA-variant` in a catalogue. Its attribute `.help` is the suggested change.
 ///
 /// ```
 /// use gaitcam_base::error::{Error, Fault};
@@ -48,7 +50,7 @@ pub trait Fault: Serialize + PartialEq + Debug + Send + Sync + 'static {
     const IS_ANSWER: bool = false;
 }
 
-/// Interface of every error: of the error enum of an area, or of an error with the caller's own text.
+/// Common interface of the error enums of all areas and of `Own`.
 pub trait AnyFault: Debug + Send + Sync {
     fn code(&self) -> String;
     fn what(&self, language: Language) -> String;

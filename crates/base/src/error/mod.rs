@@ -32,12 +32,12 @@ pub use units::UnitsError;
 /// assert_eq!((&error.place, error.code().as_str()), (&Place::Unplaced, "units-unknown-unit"));
 /// let Some(UnitsError::UnknownUnit { unit, .. }) = error.fault() else { panic!("{error}") };
 /// assert_eq!(unit, "parsec");
-/// // Callers may have faults of their own.
+/// // Callers may create errors with codes of their own.
 /// assert_eq!(Error::own("no-cam", "there is no cam").what(Language::En), "there is no cam");
 /// ```
 #[derive(Debug, Clone)]
 pub struct Error {
-    /// Location of the error in the input; `Unplaced` if it is not known.
+    /// Location of the error in the input; `Unplaced` without a location.
     pub place: Place,
     fault: Arc<dyn AnyFault>,
 }

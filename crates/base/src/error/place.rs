@@ -64,7 +64,7 @@ impl fmt::Display for Place {
 ///
 /// let error = Error::own("is-folder", "is a folder").in_file("walk.csv".as_ref());
 /// assert_eq!(error.place, Place::File("walk.csv".into()));
-/// // A place that is already known stays.
+/// // A location that is already set is not replaced.
 /// assert_eq!(error.clone().at_key("gait.file"), error);
 /// ```
 pub trait Placed: Into<Error> {

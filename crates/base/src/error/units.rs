@@ -6,7 +6,7 @@ use strum::VariantNames;
 use super::Fault;
 use crate::wording::{Catalogue, WORDS};
 
-/// Error in the text of a quantity. `example` is a valid text.
+/// Error in the text of a quantity. The field `example` is a valid text for the dimension.
 ///
 /// ```
 /// use gaitcam_base::error::UnitsError;
@@ -23,9 +23,9 @@ use crate::wording::{Catalogue, WORDS};
 pub enum UnitsError {
     /// The text does not start with a number.
     NoNumber { text: String, example: String },
-    /// The number has thousands separators; `plain` is the number without them.
+    /// The number has thousands separators. `plain` is the number without these separators.
     Grouped { text: String, plain: String },
-    /// The number has no unit.
+    /// The number has no unit, but its dimension requires one.
     NoUnit { text: String, example: String },
     /// The number has no percent sign, so it may be a fraction or a percentage.
     BareShare { text: String, percent: f64 },
@@ -36,7 +36,7 @@ pub enum UnitsError {
         dimension: String,
         example: String,
     },
-    /// The quantity is so large that products with it overflow.
+    /// The magnitude of the quantity exceeds 1e30 in SI units, so products with it may overflow.
     OutOfRange { text: String },
     /// The exponent of a unit is not an integer from −6 to 6.
     Exponent { factor: String },

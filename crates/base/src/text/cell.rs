@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-/// A text as a CSV cell. If a spreadsheet would interpret it as a formula, an apostrophe is put before it. Numbers are unchanged.
+/// A text as a CSV cell. If a spreadsheet would interpret the text as a formula, an apostrophe is added before it. Numbers are unchanged.
 ///
 /// ```
 /// use gaitcam_base::text::{cell_text, text_cell};
@@ -55,8 +55,8 @@ fn unquoted(cell: &str) -> Cow<'_, str> {
     inner.map_or(Cow::Borrowed(cell), |c| Cow::Owned(c.replace("\"\"", "\"")))
 }
 
-/// Whether a text starts like a formula, possibly after apostrophes. A text with such apostrophes also receives another one in a cell, so
-/// removing one apostrophe always restores the original text.
+/// Whether a text starts like a formula, possibly after apostrophes. `text_cell` therefore adds an apostrophe also to a formula that
+/// already has apostrophes. Removing one apostrophe then always restores the original text.
 fn begins_like_formula(text: &str) -> bool {
     let begins = |c: char| matches!(c, '=' | '+' | '-' | '@' | '\t' | '\r');
     text.trim_start_matches('\'').starts_with(begins) && text.parse::<f64>().is_err()

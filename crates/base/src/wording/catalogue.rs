@@ -32,9 +32,9 @@ pub type File = [&'static str; 2];
 pub struct Sentences {
     /// Fluent files with all messages of the crate, in English and in Spanish.
     pub files: &'static [File],
-    /// Names of fields that quote the user or select a variant of a message. Their values are not translated.
+    /// Names of fields whose values are texts of the user, or select a variant of a message. These values are not translated.
     pub as_typed: &'static [&'static str],
-    /// Areas whose messages can be arguments of messages of other areas.
+    /// Areas with messages that may be inserted in messages of other areas.
     pub shared: &'static [&'static str],
     /// Areas whose messages are notes on a result, or reasons why something was chosen or rejected. Quantities in these messages have four
     /// significant digits. Quantities in errors have six significant digits, because users enter them again.
@@ -44,7 +44,7 @@ pub struct Sentences {
 }
 
 impl Sentences {
-    /// Entry without messages or special formatting. It gives the default values of the fields.
+    /// Entry without messages or special formatting, for the default values of the fields.
     pub const NONE: Sentences = Sentences {
         files: &[],
         as_typed: &[],

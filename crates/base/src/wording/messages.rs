@@ -41,7 +41,7 @@ pub struct Messages {
     language: Language,
     /// Messages of the crates of the catalogue.
     crates: &'static [Sentences],
-    /// Messages parsed so far. Parsing all messages takes longer than most designs.
+    /// Messages parsed so far. Parsing all messages would take longer than computing most designs.
     bundle: RwLock<FluentBundle<FluentResource>>,
     /// Fluent texts of all messages, by key.
     texts: BTreeMap<&'static str, &'static str>,
@@ -58,7 +58,8 @@ impl Messages {
     pub(super) fn new(language: Language, crates: &'static [Sentences]) -> Messages {
         let tag: LanguageIdentifier = language.tag().parse().unwrap_or_default();
         let mut bundle = FluentBundle::new_concurrent(vec![tag]);
-        // All text is written from left to right; isolation marks around arguments would only disturb terminals.
+        // English and Spanish are written from left to right, so isolation marks around arguments are unnecessary. Some terminals display
+        // them.
         bundle.set_use_isolating(false);
         let mut texts = BTreeMap::new();
         let files = crates.iter().flat_map(|own| own.files);
@@ -79,7 +80,8 @@ impl Messages {
         self.texts.get(key).copied()
     }
 
-    /// Parsed messages, which include the message with this key and the messages that it references; `None` if there is no such key.
+    /// Bundle of parsed messages that includes the message with this key and the messages that it references. `None` if there is no such
+    /// key.
     fn messages(&self, key: &str) -> Option<Bundle<'_>> {
         let text = self.text_of(key)?;
         let parsed = self.read();
@@ -92,7 +94,7 @@ impl Messages {
     }
 
     fn read(&self) -> Bundle<'_> {
-        // A panic while a message is added does not invalidate the others.
+        // A panic while a message is added does not invalidate the other messages.
         (self.bundle.read()).unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 
@@ -219,7 +221,7 @@ impl Messages {
         arguments
     }
 
-    /// One or several texts quoted from the user, unchanged.
+    /// One or several texts of the user as an argument, without translation.
     fn typed(&self, area: &str, value: &Value, digits: usize) -> FluentValue<'static> {
         let texts = match value {
             Value::String(_) => std::slice::from_ref(value),
@@ -232,7 +234,7 @@ impl Messages {
 
     fn argument(&self, area: &str, value: &Value, digits: usize) -> FluentValue<'static> {
         match value {
-            // Whole numbers select plural forms.
+            // Whole numbers remain numbers, because they select plural forms.
             Value::Number(n) => match n.as_i64() {
                 Some(whole) if whole.abs() < 10_000 => FluentValue::from(whole),
                 _ => exact(self.language, n.as_f64().unwrap_or(f64::NAN)).into(),
@@ -246,7 +248,7 @@ impl Messages {
             Value::Null => "none".to_string(),
             Value::Bool(b) => b.to_string(),
             Value::Number(n) => exact(self.language, n.as_f64().unwrap_or(f64::NAN)),
-            // A message without fields as an argument; otherwise a name.
+            // The text is the key of a message without fields, or otherwise a name.
             Value::String(text) if self.text_of(&format!("{area}-{text}")).is_some() => {
                 self.of_value(area, value)
             }

@@ -16,13 +16,13 @@ use super::Language;
 pub enum LengthUnit {
     /// Lengths are displayed in millimetres. This is the default.
     Millimetre,
-    /// Inches, also in units that contain a length, such as in/s.
+    /// Lengths are displayed in inches. Units that contain a length are also converted, for example to in/s.
     Inch,
 }
 
 static LENGTH_UNIT: OnceLock<LengthUnit> = OnceLock::new();
 
-/// Sets the unit of displayed lengths for the whole process. It cannot be changed afterwards: a second call has no effect.
+/// Sets the unit of displayed lengths for the whole process. A second call has no effect.
 pub fn display_lengths_in(unit: LengthUnit) {
     let _ = LENGTH_UNIT.set(unit);
 }
@@ -61,7 +61,7 @@ const SHOWN: &[(&str, &str, f64)] = &[
 /// Number of inches in a metre.
 const INCHES: f64 = 1.0 / 0.0254;
 
-/// Rows as in [`SHOWN`] for units that contain a length, if lengths are displayed in inches.
+/// Displayed units, as in [`SHOWN`], of quantities that contain a length. They apply if lengths are displayed in inches.
 const SHOWN_IN_INCHES: &[(&str, &str, f64)] = &[
     ("m", "in", INCHES),
     ("m/s", "in/s", INCHES),
@@ -82,7 +82,8 @@ pub const DIGITS: usize = 4;
 /// Number of significant digits of values in errors and suggested changes, because users enter these values again.
 pub(super) const EXACT: usize = 6;
 
-/// A number for display with at most four significant digits and no trailing zeros. `−0` becomes 0; the Spanish text has a decimal comma.
+/// A number for display with at most four significant digits and no trailing zeros. `−0` becomes 0, and the Spanish text has a decimal
+/// comma.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, number};
@@ -115,7 +116,7 @@ pub fn exact(language: Language, value: f64) -> String {
     to_digits(language, value, EXACT)
 }
 
-/// Range "low … high" for display. An end that is zero up to rounding errors is 0.
+/// Range "low … high" for display. A limit that is zero up to rounding errors is displayed as 0.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, range};
@@ -207,7 +208,7 @@ fn short(text: &str) -> &str {
     }
 }
 
-/// Displayed unit for an SI unit, and the factor by which the value is multiplied.
+/// Displayed unit for an SI unit, and the factor by which a value in the SI unit is multiplied.
 pub fn people(si: &str) -> (&str, f64) {
     let inches = if in_inches() { SHOWN_IN_INCHES } else { &[] };
     inches

@@ -32,7 +32,8 @@ fn write_csv(out: &mut String, curve: &ForceCurve, comments: &[&str]) -> std::fm
     Ok(())
 }
 
-/// Writes the comments that mark the text as one cycle and give the properties that the samples do not contain.
+/// Writes the comment lines at the start of a text. They contain the mark `# cycle`, the properties of the cycle, and the comments of the
+/// caller.
 pub(super) fn write_head(
     out: &mut String,
     curve: &ForceCurve,

@@ -49,7 +49,8 @@ pub struct ForceCurve {
     pub mass_kg: Option<f64>,
     /// Root mean square of the sensor noise that remains in the samples, N, if known.
     pub noise_n: Option<f64>,
-    /// Consecutive strides of the recording as a force over time, if there are enough; scaled like the samples of the cycle.
+    /// Consecutive strides of the recording as a force over time, scaled like the samples of the cycle. `None` for fewer than eight
+    /// consecutive strides.
     #[serde(skip)]
     pub walk: Option<Walk>,
     /// Number of steps of a walker in the cycle, if the file gives it.
@@ -61,7 +62,7 @@ pub struct ForceCurve {
     /// Interpretation of the recording from which the cycle was averaged.
     #[serde(serialize_with = "interpretation")]
     pub recording: Option<Arc<Interpretation>>,
-    /// Walkers whose mean is the curve, if there are several.
+    /// Walkers from whose cycles the curve was averaged; `None` if the curve does not belong to a population.
     #[serde(skip)]
     pub population: Option<Arc<Population>>,
 }
@@ -109,7 +110,7 @@ impl ForceCurve {
 
     /// Mean force over the cycle, N.
     pub fn mean_n(&self) -> f64 {
-        // Eight partial sums, because the additions of a single sum cannot overlap.
+        // Eight partial sums, because a processor can compute independent sums at the same time.
         let mut sums = [0.0; 8];
         let eights = self.force_n.chunks_exact(8);
         let rest: f64 = eights.remainder().iter().sum();
@@ -154,12 +155,12 @@ impl ForceCurve {
         ((first * v + u * 3.0 * rising) * v + u * u * 3.0 * falling) * v + u * u * u * last
     }
 
-    /// Slopes of the interpolating cubics at every sample and at the end, N per sample.
+    /// Slopes of the interpolating cubics at every sample and at the end of the cycle, N per sample.
     pub fn slopes(&self) -> Vec<f64> {
         slopes(&self.force_n)
     }
 
-    /// Root mean square over the cycle of the step-to-step standard deviation, N; `None` if the deviation is unknown.
+    /// Step-to-step standard deviation, N, as root mean square over the cycle; `None` if it is unknown.
     pub fn spread_rms_n(&self) -> Option<f64> {
         let s = self.spread_n.as_ref()?;
         Some((s.iter().map(|x| x * x).sum::<f64>() / s.len().max(1) as f64).sqrt())
@@ -178,7 +179,7 @@ impl ForceCurve {
         }
     }
 
-    /// The cycle with another start: sample 0 of the result is the force at `phase`, rad.
+    /// The cycle with another start. Sample 0 of the result is the force at `phase`, rad.
     #[must_use]
     pub fn begun_at(&self, phase: f64) -> Self {
         let n = self.force_n.len();
@@ -239,8 +240,8 @@ mod tests {
         assert!(fine < 2e-4 && fine < coarse / 60.0, "{coarse} {fine}");
     }
 
-    /// Error of the cubics for a sum of harmonics: n⁴h⁴/384 of each harmonic with h = 2π/1024, plus the fifth-order error of the slopes. It is the
-    /// same at a maximum as elsewhere.
+    /// Error of the cubics for a sum of harmonics: n⁴h⁴/384 of each harmonic n with h = 2π/1024, plus the fifth-order error of the slopes.
+    /// It is the same at a maximum as elsewhere.
     #[test]
     fn sums_of_harmonics_are_interpolated_to_fourth_order() {
         let (mut worst, mut cases) = (0.0_f64, 0);

@@ -6,7 +6,7 @@ use super::ForceCurve;
 use super::csv::write_head;
 use crate::recording::Foot;
 
-/// Columns of one external load: force, point of application, free torque.
+/// Endings of the column names of one external load: force, point of application, free torque.
 const COLUMNS: [&str; 9] = [
     "_vx",
     "_vy",
@@ -18,16 +18,16 @@ const COLUMNS: [&str; 9] = [
     "_torque_y",
     "_torque_z",
 ];
-/// Index of the vertical force in `COLUMNS`: the Y axis of OpenSim points upwards.
+/// Index of the vertical force in `COLUMNS`. In OpenSim, the Y axis points upwards.
 const VERTICAL: usize = 1;
 
 impl ForceCurve {
     /// The cycle as `.mot` text in the layout of OpenSim's ExternalLoads, which [`one_cycle`](crate::one_cycle) reads back as the same
     /// cycle.
     ///
-    /// The column of the vertical force is `ground_force_vy`; if `foot` is given, its name also contains the foot. The last row repeats the
-    /// first one at the end of the period. The other components, the point of application and the torques are zero, because a curve does
-    /// not contain them.
+    /// The column of the vertical force is `ground_force_vy`. If `foot` is given, the name also contains the foot, as in
+    /// `ground_force_l_vy`. The last row repeats the first one at the end of the period. The other components, the point of application and
+    /// the torques are zero, because a curve does not contain them.
     pub fn to_mot(&self, foot: Option<Foot>, comments: &[&str]) -> String {
         let mut out = String::with_capacity(64 * self.force_n.len());
         // Writing to a String does not fail.

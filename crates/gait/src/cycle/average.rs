@@ -15,9 +15,9 @@ pub(super) const MARGIN: f64 = 0.12;
 /// Fraction of a stride at each end that is blended with the adjacent strides.
 pub(crate) const BLEND: f64 = 0.04;
 
-/// Force between samples, N, by linear interpolation.
+/// Force, N, at a position in samples, by linear interpolation.
 pub(super) fn at(force: &[f64], place: f64) -> f64 {
-    // Conversion by i64, because the processor has no conversion to unsigned numbers.
+    // The conversion uses i64, because the processor has no instruction that converts to unsigned numbers.
     let i = (place.max(0.0) as i64 as usize).min(force.len().saturating_sub(2));
     let (Some(&a), Some(&b)) = (force.get(i), force.get(i + 1)) else {
         return force.first().copied().unwrap_or(0.0);
@@ -26,7 +26,7 @@ pub(super) fn at(force: &[f64], place: f64) -> f64 {
     a + x * (b - a)
 }
 
-/// Maximum duration of a stance in strides; in walking a stance is shorter than a stride.
+/// Maximum duration of a stance, in strides. In walking, a stance is shorter than a stride.
 const MOST_TURNS: usize = 5;
 
 /// Running mean and running sum of squared deviations at each phase (Welford's method), so that cycles need not be stored.
@@ -95,8 +95,8 @@ pub(super) fn whole_span(channel: &Channel, rate_hz: f64, start_s: f64, end_s: f
 
 /// Fills `row` with one cycle of a force that need not be exactly periodic.
 ///
-/// Within `half_s` of its ends, the cycle is blended with the force one cycle later or earlier. The row is then continuous at its ends, and every
-/// sample of the force has the same weight.
+/// Within `half_s` of its ends, the cycle is blended with the force one cycle later or earlier. The row is then continuous at its ends, and
+/// every sample of the force has the same weight.
 pub(crate) fn periodic(
     row: &mut [f64],
     start_s: f64,
@@ -127,7 +127,8 @@ pub(super) struct MeanStance {
     pub count: usize,
     pub duration_s: f64,
     pub impulse_ns: f64,
-    /// Force, N, at equal steps from heel strike to toe-off and beyond both by the fraction `margin` of a stance.
+    /// Force, N, at equal time steps. The samples begin before heel strike and end after toe-off, in both cases by the fraction `margin` of
+    /// a stance.
     pub force: Vec<f64>,
     pub margin: f64,
     pub spread: Option<Vec<f64>>,
@@ -252,7 +253,7 @@ mod tests {
 
     #[test]
     fn a_contact_reaches_down_to_its_noise_and_sixty_milliseconds_at_most() {
-        // At 1 kHz the force rises by 1 N a sample from 0.1 s on and falls the same way to 0.5 s; 2 N are noise.
+        // At 1 kHz, the force rises by 1 N per sample from 0.1 s and falls by 1 N per sample until 0.5 s. The noise is 2 N.
         let ramps = (0..600).map(|i: i32| f64::from((i - 100).min(500 - i).clamp(0, 150)));
         let mut channel = Channel {
             force_n: ramps.collect(),

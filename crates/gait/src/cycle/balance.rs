@@ -1,8 +1,8 @@
 //! Mean total force of a walker, N, over the time in which the forces of both feet are recorded.
 //!
 //! Over a whole stride, the mean total force equals the weight. If the plates are loaded for a whole stride, their total force is averaged
-//! over the stride. Otherwise, the total force is averaged over two half strides, which are determined by a stance of one foot (the first
-//! foot) and the next stance of the other foot (the second foot):
+//! over the stride. Otherwise, the total force is averaged over two half strides. They follow from a stance of one foot (the first foot)
+//! and the next stance of the other foot (the second foot):
 //!
 //! - from the previous toe-off of the second foot to the toe-off of the first foot;
 //! - from the heel strike of the second foot to the next heel strike of the first foot.
@@ -18,13 +18,13 @@ use crate::statistics::mean;
 /// Maximum difference between the impulses of the two stances, as a fraction of their sum.
 const UNEVEN: f64 = 0.05;
 
-/// Fraction of the mean total force. If the total force falls below this fraction, the plates are assumed not to record both feet all the
-/// time.
+/// If the total force falls below this fraction of its mean, the plates are assumed not to record both feet all the time.
 const LOADED: f64 = 0.3;
 /// Maximum fraction of a stride by which a recording may be shorter than the stride.
 const LACKING: f64 = 0.02;
 
-/// Mean force of all plates, N, over whole strides; `None` if the total force is sometimes far below its mean.
+/// Mean force of all plates, N, over whole strides. `None` for a single plate, for a recording shorter than a stride, or if the total force
+/// is sometimes far below its mean.
 fn mean_of_plates(recording: &Recording, period_s: f64) -> Option<f64> {
     let plates: Vec<&[f64]> = recording.live().map(|(_, c)| &c.force_n[..]).collect();
     let samples = plates.iter().map(|p| p.len()).min()?;
@@ -41,8 +41,11 @@ fn mean_of_plates(recording: &Recording, period_s: f64) -> Option<f64> {
     Some(mean(&strides.map(mean).collect::<Vec<f64>>()))
 }
 
-/// Mean total force, N, for a given stride time, s; `None` without two consecutive whole stances with similar impulses. The impulses must
-/// be similar, because two half strides of a limping walker are not equivalent to a stride.
+/// Mean total force, N, for a given stride time, s. If the plates are not loaded for a whole stride, it is computed from pairs of
+/// consecutive whole stances with similar impulses. The impulses must be similar, because two half strides of a limping walker are not
+/// equivalent to a stride.
+///
+/// `None` for running, for a table of stances, or without such a pair.
 pub(super) fn mean_total(recording: &Recording, stances: &Stances, period_s: f64) -> Option<f64> {
     if recording.has_rows() || recording.runs() {
         return None;

@@ -11,10 +11,10 @@ use crate::recording::{Feet, Note, Recording};
 use crate::stance::{Stance, Stances};
 use crate::statistics::mean;
 
-/// Fraction of the recording above which a stance counts as the whole recording.
+/// A stance counts as the whole recording if it fills more than this fraction of the recording.
 const WHOLE: f64 = 0.97;
 
-/// Relative difference between the durations of stance and span below which the stance is not stretched.
+/// The mean stance is not stretched if its duration differs from the duration of the span by less than this fraction.
 const NEARLY: f64 = 0.05;
 
 /// One cycle in which the mean stance fills a span, rad, and the force is zero in the rest of the turn. `None` without a whole stance, or
@@ -59,7 +59,7 @@ pub fn stance_in_span(
     let (stance, spread) = average.finish();
     let span = span_rad / TAU;
     let period = period_s.unwrap_or(mean(&durations) / span);
-    // A stance that nearly fills the span keeps its duration, and with it its impulse.
+    // A stance that nearly fills the span is not stretched, so that its impulse is unchanged.
     let own = mean(&durations) / period;
     let share = if (own / span - 1.0).abs() < NEARLY {
         own

@@ -7,9 +7,9 @@ use crate::recording::{Channel, CycleSource, Feet, Recording};
 use crate::stance::{Footfall, RejectReason, Stance, Stances, footfalls};
 use crate::statistics::ends;
 
-/// Number of time intervals of a channel in a figure; for each interval, the minimum and maximum force are drawn.
+/// Number of time intervals of a channel in a figure. For each interval, the minimum and maximum force are drawn.
 const PIECES: usize = 700;
-/// Maximum number of single stances in a figure; the means are computed from all stances.
+/// Maximum number of single stances in a figure. The means are computed from all stances.
 const DRAWN: usize = 60;
 
 impl Interpretation {
@@ -79,7 +79,7 @@ fn envelope(force: &[f64], pieces: usize) -> Vec<[f64; 2]> {
 
 /// Contacts in order of time, with times as in the file.
 fn contacts(r: &Recording, stances: &Stances, cycle: Option<&Cycle>) -> Vec<Contact> {
-    // The sum of both feet includes stances that the mean of one foot excludes.
+    // Whole strides also contain outliers, which a mean of single stances excludes.
     let whole = averages_strides(cycle);
     let contact = |f: &Footfall| {
         let stance = stances.at(f);

@@ -14,12 +14,12 @@ use crate::stance::largest_group;
 use crate::statistics::ends;
 use crate::units::Quantity;
 
-/// Relative difference below which masses belong to the same walker.
+/// All recordings belong to one walker if their masses differ by less than this fraction.
 const ONE_WALKER: f64 = 0.1;
-/// Maximum distance of the second heel strike of a stride from the middle of the stride, as a fraction of the cycle.
+/// Maximum deviation of the second heel strike of a stride from the middle of the stride, as a fraction of the stride.
 const LIMP: f64 = 0.1;
 
-/// The mean cycle of one recording, before the joint average.
+/// Mean cycle of one recording, with its open questions, as input of a joint mean.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, Trial, cycle, joint_mean, read, stances};
@@ -28,7 +28,7 @@ const LIMP: f64 = 0.1;
 /// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
 /// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
 /// let trial = Trial { cycle: &mean, open: &[] };
-/// // Two recordings that are one: the mean is that of either.
+/// // The same recording twice: the joint mean is the mean of the recording.
 /// let joint = joint_mean(&[trial, Trial { cycle: &mean, open: &[] }])?;
 /// assert!((joint.curve.mean_n() / mean.curve.mean_n() - 1.0).abs() < 1e-9);
 /// # Ok::<(), gaitcam_gait::error::Error>(())
@@ -73,7 +73,7 @@ pub enum LeftOut {
         /// Kind of movement in most recordings.
         most: Kind,
     },
-    /// The speed differs from the speed of most recordings.
+    /// The stride duration differs from that of most recordings, so the speed differs as well.
     OtherSpeed {
         /// Duration of the stride in this recording.
         period: Quantity,
@@ -104,7 +104,7 @@ pub enum LeftOut {
 pub struct JointMean {
     /// Mean cycle. Its spread is the standard deviation of all cycles, within and between recordings.
     pub curve: ForceCurve,
-    /// Reason for the exclusion of each trial, in the given order; `None` if the trial is included.
+    /// Reason for the exclusion of each trial, in the order of the trials; `None` if the trial is included.
     pub left_out: Vec<Option<LeftOut>>,
     /// Force of each included trial, N, at the phases of the mean cycle, with the same scaling as the mean cycle.
     pub trials_n: Vec<Vec<f64>>,
@@ -131,7 +131,7 @@ impl JointMean {
     }
 }
 
-/// Mean over the cycles of all trials that have the most frequent movement and speed and no open questions.
+/// Mean over the cycles of all trials with the most frequent movement, the most frequent stride duration, and no open questions.
 ///
 /// The statistical weight of a trial is its number of cycles. If the masses belong to several walkers, the forces are averaged in body
 /// weights and scaled to the mean mass.
@@ -168,7 +168,7 @@ pub fn joint_mean(trials: &[Trial]) -> Result<JointMean> {
     average(&kept(trials, &left_out), most, left_out)
 }
 
-/// Cycles that have no reason for exclusion so far.
+/// Mean cycles of the trials that are not excluded so far.
 fn kept<'a>(trials: &[Trial<'a>], left_out: &[Option<LeftOut>]) -> Vec<&'a Cycle> {
     let all = trials.iter().zip(left_out);
     all.filter(|(_, out)| out.is_none())
@@ -176,7 +176,7 @@ fn kept<'a>(trials: &[Trial<'a>], left_out: &[Option<LeftOut>]) -> Vec<&'a Cycle
         .collect()
 }
 
-/// Excludes each further cycle for which `reason` returns a reason.
+/// Excludes each remaining trial for whose cycle `reason` returns a reason.
 fn leave_out(
     trials: &[Trial],
     left_out: &mut [Option<LeftOut>],
@@ -242,7 +242,8 @@ fn average(used: &[&Cycle], kind: Kind, left_out: Vec<Option<LeftOut>>) -> Resul
     })
 }
 
-/// Standard deviation over all values of several groups, from the count, deviation and mean of each group; `None` for a single value.
+/// Standard deviation of all values in several groups, computed from the count, deviation and mean of each group; `None` for a single
+/// value.
 fn pooled(
     counts: &[f64],
     deviation: &dyn Fn(usize) -> f64,
@@ -268,9 +269,10 @@ fn cycles(cycle: &Cycle) -> usize {
     .max(1)
 }
 
-/// Forces, N, and standard deviations, N (0 if unknown), of the cycles. All cycles start at the same moment of the stride. A cycle that
-/// begins with the left heel strike is shifted to begin with the right one. A total force has no heel strikes. It is therefore shifted so
-/// that it is most similar to the reference cycle.
+/// Forces, N, and standard deviations, N (0 if unknown), of the cycles. All cycles are shifted to start at the same moment of the stride.
+///
+/// The reference is the first cycle that is not a total force. A cycle that begins with the other foot is shifted by about half a stride. A
+/// total force has no heel strikes, so any shift is possible. Each shift is chosen so that the cycle is most similar to the reference.
 fn on_one_phase(used: &[&Cycle]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
     let total = |c: &&&Cycle| matches!(c.source, CycleSource::TotalForce { .. });
     let first = used.iter().find(|c| !total(c)).or(used.first());
@@ -298,7 +300,7 @@ fn on_one_phase(used: &[&Cycle]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
     used.iter().map(|c| shifted(c)).unzip()
 }
 
-/// Foot whose heel strike starts a cycle of both feet.
+/// Foot whose heel strike starts a cycle of both feet; `None` if unknown.
 fn foot(cycle: &Cycle) -> Option<Foot> {
     match cycle.source {
         CycleSource::WholeStrides { from, .. } => from,
@@ -307,7 +309,7 @@ fn foot(cycle: &Cycle) -> Option<Foot> {
     }
 }
 
-/// The one of the given `shifts`, in samples, for which the periodic force `row` is most similar to `reference`.
+/// Shift, in samples, within `shifts`, for which the periodic force `row` is most similar to `reference`.
 fn most_alike(reference: &[f64], row: &[f64], shifts: std::ops::Range<usize>) -> usize {
     let likeness = |shift: usize| -> f64 {
         let later = row.iter().cycle().skip(shift);

@@ -8,21 +8,21 @@ use crate::stance::{Stance, Stances};
 use crate::statistics::{mean, sample_deviation, student_95};
 use crate::units::G;
 
-/// Usual relative standard deviations of the mean force, from stride to stride and from stance to stance. The usual variance is pooled with
-/// the measured variance as if it had `USUAL_DEGREES` degrees of freedom.
+/// Typical relative standard deviations of the mean force: from stride to stride, and from stance to stance. The typical variance is pooled
+/// with the measured variance as if it had `USUAL_DEGREES` degrees of freedom.
 const OF_STRIDES: f64 = 0.015;
 const OF_STANCES: f64 = 0.03;
 const USUAL_DEGREES: f64 = 4.0;
-/// Relative standard deviation of half the difference between the feet of a walker.
+/// Standard deviation, over walkers, of half the relative difference between the impulses of the left and the right foot.
 const OF_FEET: f64 = 0.06;
-/// Relative standard uncertainty of a stride time that was computed from the usual duty factor.
+/// Relative standard uncertainty of a stride time that was computed from a typical duty factor.
 const OF_DUTY: f64 = 0.05;
 /// Standard uncertainty of an unloaded level: fraction of the standard deviation of the noise, and minimum value, N.
 const OF_LEVEL: (f64, f64) = (0.3, 0.4);
 /// Two-sided normal quantile for 95 %.
 const NORMAL_95: f64 = 1.96;
 
-/// Ends of the 95 % interval of a mass, kg. `None` for insoles, whose calibration is unknown.
+/// Lower and upper limit of the 95 % interval of a mass, kg. `None` for insoles, because their calibration is unknown.
 pub(super) fn mass_interval(
     recording: &Recording,
     stances: &Stances,
@@ -39,7 +39,7 @@ pub(super) fn mass_interval(
     Some((mass_kg * (1.0 - half).max(0.0), mass_kg * (1.0 + half)))
 }
 
-/// Contribution of the variation of the steps to the relative half width of the interval.
+/// Relative half width of the interval that is due to the variation of the steps.
 fn of_steps(
     recording: &Recording,
     stances: &Stances,
@@ -69,8 +69,8 @@ fn of_steps(
     }
 }
 
-/// Relative half width of the 95 % interval of a mean. It is computed from a weighted mean of the variance of the values and the usual
-/// variance.
+/// Relative half width of the 95 % interval of a mean. Its variance is a weighted mean of the sample variance of the values and of the
+/// square of the typical relative standard deviation `usual`.
 fn of_mean(values: &[f64], usual: f64) -> f64 {
     let degrees = (values.len() as f64 - 1.0).max(0.0);
     let own = sample_deviation(values).unwrap_or(0.0) / mean(values).abs().max(f64::MIN_POSITIVE);
@@ -79,8 +79,8 @@ fn of_mean(values: &[f64], usual: f64) -> f64 {
     student_95(all) * (square / values.len().max(1) as f64).sqrt()
 }
 
-/// Contribution of the stride time to the relative half width of the interval. It is zero for a mean over whole strides, which does not
-/// depend on the stride time.
+/// Relative half width of the interval that is due to the uncertainty of the stride time. It is zero for a mean over whole strides, which
+/// does not depend on the stride time.
 fn of_clock(average: &Average) -> f64 {
     let period = average.period;
     match average.source {
@@ -93,7 +93,7 @@ fn of_clock(average: &Average) -> f64 {
     }
 }
 
-/// Contribution of the unloaded levels of the plates to the relative half width of the interval.
+/// Relative half width of the interval that is due to the uncertainty of the unloaded levels.
 fn of_levels(recording: &Recording, mass_kg: f64) -> f64 {
     let of = |noise_n: f64| (OF_LEVEL.0 * noise_n).max(OF_LEVEL.1);
     let squares = recording.live().map(|(_, c)| of(c.noise_n).powi(2));

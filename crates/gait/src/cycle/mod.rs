@@ -1,7 +1,7 @@
 //! Mean cycle of a recording, with its step-to-step spread at each phase.
 //!
-//! If the plates (or insoles) cover whole strides, both feet are summed and the strides are averaged. Otherwise a stride is built from
-//! single stances: the mean left stance and the mean right stance, half a stride apart.
+//! If plates or insoles record whole strides, the forces of both feet are added and the strides are averaged. Otherwise, a stride is built
+//! from single stances: the mean left stance and the mean right stance, half a stride apart.
 
 mod average;
 mod balance;
@@ -59,9 +59,9 @@ pub use plausibility::implausible;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycle {
-    /// Mean cycle. Its period is a stride; its spread is the standard deviation from step to step.
+    /// Mean cycle. Its period is one stride, and its spread is the standard deviation from step to step.
     pub curve: ForceCurve,
-    /// Number of averaged cycles. If a stride was built from single stances, the number of stances.
+    /// Number of averaged cycles. If a stride was built from single stances, it is the number of stances.
     pub averaged: usize,
     /// Method by which the cycle was computed.
     pub source: CycleSource,
@@ -80,7 +80,7 @@ pub struct Cycle {
     pub strides: Vec<RecordedStride>,
     /// Kind of movement (walking, running, …) in the cycle.
     pub kind: Kind,
-    /// Mean force over the cycle, as a fraction of the weight that the feet of the cycle carry; 1 for a correct mass.
+    /// Mean force over the cycle, divided by the weight that the feet of the cycle carry; 1 for a correct mass.
     pub mean_of_weight: f64,
     /// Whether mean force and mass are consistent with a single walker.
     pub mass_fits: bool,
@@ -95,9 +95,9 @@ struct Average {
     spread_n: Option<Vec<f64>>,
     averaged: usize,
     source: CycleSource,
-    /// Note on contacts that are excluded from the mean.
+    /// Note on contacts or steps that are excluded from the mean.
     note: Option<Note>,
-    /// Consecutive strides of both feet, if there are enough.
+    /// Consecutive strides of both feet; `None` for fewer than eight consecutive strides.
     walk: Option<Walk>,
 }
 
@@ -120,7 +120,7 @@ impl Average {
         }
     }
 
-    /// A stride that consists of mean stances, each at its start phase.
+    /// A stride that is the sum of mean stances, each of which starts at a given phase.
     fn of_stances(
         period: Period,
         stances: &[(&MeanStance, f64)],
@@ -147,7 +147,7 @@ impl Average {
 
 /// Averages the stances of a recording to one cycle.
 ///
-/// `feet` selects the sum of both feet, one foot (the mean of all stances), or the left or right foot.
+/// `feet` selects the sum of both feet, the mean of all stances as one foot, only the left or right foot, or a column with the total force.
 ///
 /// # Errors
 ///
@@ -180,7 +180,8 @@ pub fn cycle(recording: &Recording, stances: &Stances, feet: Feet) -> Result<Cyc
     finish(recording, stances, average, feet)
 }
 
-/// Cycle from a column that contains the total of both feet, unless the column shows another movement.
+/// Cycle from a column that contains the total of both feet. `None` if jumping was recognised and the user stated no movement, or if
+/// running was recognised and not requested.
 fn both_in_one(recording: &Recording, stances: &Stances, stated: bool) -> Option<Average> {
     let jumps = stances.recognised == Some(Kind::Jumping) && recording.kind.is_none();
     let runs = stances.recognised == Some(Kind::Running) && !recording.runs();

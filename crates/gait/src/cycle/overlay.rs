@@ -38,14 +38,14 @@ fn mean_of(recording: &Recording, own: &[&Stance]) -> MeanStanceCurve {
     let mean = mean_stance(recording, own, 0.0);
     let point = |of: fn(&Stance) -> Option<Point>| {
         let all: Vec<Point> = own.iter().filter_map(|s| of(s)).collect();
-        // A landmark that half of the stances lack is omitted.
+        // A landmark that at least half of the stances lack is omitted.
         let of = |of: fn(&Point) -> f64| average(&all.iter().map(of).collect::<Vec<f64>>());
         (2 * all.len() > own.len()).then(|| Point {
             force_n: of(|p| p.force_n),
             at: of(|p| p.at),
         })
     };
-    // The peak of a stance with one maximum is neither of the two peaks.
+    // If most stances have two peaks, stances with one peak are excluded. Their peak is neither the loading peak nor the push-off peak.
     let single = |s: &Stance| s.valley.is_none();
     let humps = 2 * own.iter().filter(|s| !single(s)).count() > own.len();
     let landmarks = if humps {

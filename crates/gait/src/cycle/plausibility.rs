@@ -9,16 +9,16 @@ use crate::units::G;
 
 /// Maximum relative difference between mean force and weight that a calibration error can cause.
 const TOLERANCE: f64 = 0.1;
-/// Range of masses of people on force plates, kg.
+/// Plausible range of the mass of a person on force plates, kg.
 const MASS_KG: Range<f64> = 10.0..250.0;
-/// Range of masses that confirm a unit that is missing in the file, kg.
+/// Range of masses of adults, kg. A mass in this range confirms an assumed unit of force.
 pub(super) const ADULT_KG: Range<f64> = 30.0..160.0;
 /// Mass below which a walker counts as a child, kg.
 const CHILD_KG: f64 = 30.0;
-/// Stride time, s, and mass, kg, below which a walker counts as a small child.
+/// Maximum stride time of a small child, s, and maximum mass of a small child, kg. A smaller mass with a longer stride time is implausible.
 const SMALL_CHILD: (f64, f64) = (1.15, 22.0);
 
-/// Plausible ranges of a movement.
+/// Plausible and typical ranges of the gait parameters of a movement.
 pub(super) struct Ranges {
     /// Range of stride durations, s.
     pub stride_s: Range<f64>,
@@ -55,7 +55,7 @@ pub(super) fn ranges(kind: Kind, mass_kg: f64, slow: bool) -> Ranges {
         peak_bw: 0.85..if child { 2.0 } else { 1.7 },
         usual_duty: 0.62,
         stride_of_stance: 1.0..2.5,
-        // Feet that land together (a jump, standing) are not alternating steps.
+        // Feet that land at the same time, as in jumping or standing, do not make alternating steps. The lower limit excludes them.
         step_of_stance: 0.4..1.2,
     }
 }

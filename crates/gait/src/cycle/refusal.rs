@@ -9,10 +9,10 @@ use crate::stance::{RejectReason, Stances};
 use crate::statistics::mean;
 use crate::units::Quantity;
 
-/// Range of maximum readings that suggest the unit newtons per kilogram, although the header states newtons.
+/// Range of maximum readings that suggest the unit newtons per kilogram, although the readings were interpreted as newtons.
 const PER_KILOGRAM: std::ops::Range<f64> = 5.0..40.0;
 
-/// Reason why the recording contains no cycle, from its rejected contacts and its header.
+/// Reason why the recording contains no cycle. It follows from the rejected contacts, the recognised movement and the notes.
 pub(super) fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) -> ForceError {
     let duration = seconds(recording.duration_s);
     let Some(first) = stances.rejected.first() else {

@@ -86,7 +86,7 @@ fn one_foot_walk(recording: &Recording, stances: &[&Stance], usual_s: f64) -> Op
     })
 }
 
-/// Stances that are not outliers; all stances if every stance is an outlier.
+/// Stances that are not outliers. If every stance is an outlier, all stances are returned.
 fn fellows(stances: Vec<&Stance>) -> Vec<&Stance> {
     let alike: Vec<&Stance> = stances.iter().copied().filter(|s| !s.unlike).collect();
     if alike.is_empty() { stances } else { alike }

@@ -22,13 +22,13 @@ pub(super) struct Stride {
     contacts: Vec<Footfall>,
 }
 
-/// Relative deviation from the median duration above which a stride is not averaged.
+/// A stride is not averaged if its duration differs from the median by this fraction or more.
 pub(super) const ODD_STRIDE: f64 = 0.25;
 
 /// Strides for which every footfall is recorded.
 ///
-/// A stride needs four consecutive footfalls, each of which overlaps the next one. The stride lasts from the second to the fourth heel
-/// strike. The first footfall contributes to the first double support of the stride; its earlier part may be missing. The fourth footfall
+/// A stride requires four consecutive footfalls, each of which overlaps the next one. The stride lasts from the second to the fourth heel
+/// strike. The first footfall contributes to the first double support of the stride. Its earlier part may be missing. The fourth footfall
 /// starts the next stride.
 pub(super) fn whole_strides(recording: &Recording, stances: &Stances) -> Vec<Stride> {
     use RejectReason::{CrossTalk, CutAtEnd, CutAtStart, TooShort};
@@ -80,7 +80,7 @@ pub(super) fn averaged(recording: &Recording, strides: &[Stride]) -> Average {
     }
 }
 
-/// Strides of usual duration that begin with the same foot, and the foot with which they begin.
+/// Strides of typical duration that begin with the same foot, and the foot with which they begin.
 fn like_strides(strides: &[Stride]) -> (Vec<&Stride>, Option<Foot>) {
     let (foot, reasons) = judged(strides);
     let all = strides.iter().zip(reasons);
@@ -88,7 +88,7 @@ fn like_strides(strides: &[Stride]) -> (Vec<&Stride>, Option<Foot>) {
     (kept.map(|(stride, _)| stride).collect(), foot)
 }
 
-/// The foot with which the averaged strides begin, and the reason for the exclusion of each other stride.
+/// Foot with which the averaged strides begin. For each stride, the reason for its exclusion; `None` if it is averaged.
 ///
 /// Strides from left to left and from right to right share samples, so only strides of one foot are averaged.
 fn judged(strides: &[Stride]) -> (Option<Foot>, Vec<Option<StrideReject>>) {
@@ -103,7 +103,7 @@ fn judged(strides: &[Stride]) -> (Option<Foot>, Vec<Option<StrideReject>>) {
         .into_iter()
         .max_by_key(|f| count(*f))
         .unwrap_or(None);
-    // If the sides are unknown, adjacent strides of the list alternate: every second one starts with the same foot.
+    // If the sides are unknown, consecutive strides begin with alternate feet. Strides that overlap the last averaged stride are excluded.
     let mut end_s = f64::NEG_INFINITY;
     let reasons = strides.iter().map(|s| {
         let shared = || best.is_none() && s.start_s < end_s - 0.05 * (s.end_s - s.start_s);
@@ -152,7 +152,7 @@ pub(super) fn recorded_strides(
 /// Force of a channel, N, with the start and the end of a contact, s.
 type Span<'a> = (&'a [f64], f64, f64);
 
-/// All contacts that overlap a stride.
+/// Forces and time spans of all contacts that overlap a stride.
 fn loaded_spans<'a>(recording: &'a Recording, stride: &Stride) -> Vec<Span<'a>> {
     let span = |f: &Footfall| {
         let channel = &recording.channels[f.channel];
@@ -168,7 +168,7 @@ fn force_of(spans: &[Span], rate_hz: f64, t: f64) -> f64 {
     loaded.map(|s| at(s.0, t * rate_hz)).sum()
 }
 
-/// Sum of the contacts of a stride at equal phases, with equal values at both ends.
+/// Fills `row` with the total force of a stride, N, at equal phases. The values at both ends are equal.
 fn sample_stride(recording: &Recording, stride: &Stride, row: &mut [f64]) {
     let spans = loaded_spans(recording, stride);
     let total = |t: f64| force_of(&spans, recording.rate_hz, t);

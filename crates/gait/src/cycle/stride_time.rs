@@ -13,7 +13,8 @@ use crate::units::G;
 const OF_ONE: f64 = 0.02;
 
 impl Period {
-    /// Standard uncertainty, s, of a duration that is measured from a single stride or step; `None` for other sources.
+    /// Standard uncertainty, s, of a duration that was measured from a single stride or step. `None` for several strides or steps, or for a
+    /// duration with another source.
     pub fn uncertainty_s(&self) -> Option<f64> {
         use PeriodSource::{DoubledSteps, HeelMarkers, HeelStrikes, MarkedStrikes};
         let measured = matches!(
@@ -45,7 +46,7 @@ impl Period {
 /// - consecutive heel strikes of one foot;
 /// - heel strikes marked in the file;
 /// - heel markers;
-/// - doubled steps;
+/// - doubled steps (times between heel strikes of alternate feet);
 /// - a known mass (impulse of both feet = M g T);
 /// - a typical duty factor.
 pub(super) fn stride_time(
@@ -63,7 +64,7 @@ pub(super) fn stride_time(
     }
     if let Some(mass) = recording.mass_kg {
         let period = impulse_ns / (mass * G);
-        // A stride time shorter than the stance or longer than a pause indicates a wrong mass.
+        // A ratio outside this range indicates a wrong mass.
         let ratio = period / stance.duration_s;
         if ratio > 1.1 && ratio < ranges.stride_of_stance.end + 0.5 {
             return Period::alone(period, PeriodSource::Impulse);
@@ -75,7 +76,8 @@ pub(super) fn stride_time(
     )
 }
 
-/// Duration of a stride from heel strikes.
+/// Duration of a stride from heel strikes, marked heel strikes, heel markers or doubled steps, in this order of preference. `None` if the
+/// recording contains none of these.
 fn strikes(
     recording: &Recording,
     stances: &Stances,
@@ -88,7 +90,7 @@ fn strikes(
     let is_step = |s: f64| ranges.step_of_stance.contains(&(s / stance_s));
     let mut own: Vec<f64> = Vec::new();
     let mut steps: Vec<f64> = Vec::new();
-    // Duration of the previous step, if the foot changed.
+    // Duration of the previous step, s; `None` if the foot did not change.
     let mut before = None;
     for w in falls.windows(2) {
         let time = w[1].start_s - w[0].start_s;

@@ -9,9 +9,9 @@ use crate::stance::{RejectReason, Rejected, Stances, footfalls};
 use crate::statistics::{mean, mean_and_deviation, ranked};
 use crate::walk::Walk;
 
-/// Relative variation of the total force below which the person is standing.
+/// The person is standing if the coefficient of variation of the total force is below this value.
 const STEADY: f64 = 0.05;
-/// Relative deviation from the median duration above which a step is not averaged.
+/// A step is not averaged if its duration differs from the median by more than this fraction.
 const ODD_STEP: f64 = 0.25;
 /// Minimum number of regular steps in a recording of walking.
 const FEWEST_STEPS: usize = 5;
@@ -19,12 +19,11 @@ const FEWEST_STEPS: usize = 5;
 const STEP_S: std::ops::Range<f64> = 0.3..1.2;
 /// Range of step durations of a runner, s.
 const RUNNING_STEP_S: std::ops::Range<f64> = 0.15..0.55;
-/// Step duration, s, and relative variation of the total force. If a recording exceeds both values, its periodic force is not that of a
-/// walker.
+/// Step duration, s, and relative variation of the total force. If both values are exceeded, the periodic force is not walking.
 const SLOW: (f64, f64) = (0.85, 0.25);
 
-/// Averages the strides of a channel that is loaded throughout, or from the moment at which the walker steps on the plate; `None` without a
-/// periodic total force.
+/// Averages the strides of a channel that is loaded from the first sample, or from the moment at which the walker steps on the plate.
+/// `None` without a periodic total force.
 ///
 /// The force is smoothed over half a step. A step is the time between two moments at which the smoothed force rises through its mean. A
 /// stride is two steps, so that a difference between the feet remains visible. It is unknown which foot is the first.
@@ -46,8 +45,8 @@ pub(super) fn total_stride(
 /// Minimum total force of a walker on the plates, as a fraction of the mean.
 const ON_THE_PLATES: f64 = 0.3;
 
-/// Averages the strides of the sum of all plates from the first to the last contact, if the plates carry the walker all the time. Feet may
-/// cross two plates, as on the belts of a treadmill. `None` otherwise.
+/// Averages the strides of the sum of all plates from the first to the last contact. Feet may cross two plates, as on the belts of a
+/// treadmill. `None` if the plates do not carry the walker all the time, or if the sum is not periodic.
 pub(super) fn total_of_plates(recording: &Recording, stances: &Stances) -> Option<Average> {
     let (from, to) = first_to_last(recording, stances, |_| true)?;
     let count = recording.live().map(|(_, c)| c.force_n.len()).min()?;
@@ -65,7 +64,7 @@ pub(super) fn total_of_plates(recording: &Recording, stances: &Stances) -> Optio
     strides_of(&sum, recording)
 }
 
-/// Span from the first to the last contact on the included channels, s.
+/// Time span, s, from the start of the first contact to the end of the last contact on the included channels.
 fn first_to_last(
     recording: &Recording,
     stances: &Stances,
@@ -86,7 +85,7 @@ fn stated_total<'a>(recording: &'a Recording, stances: &Stances) -> Option<&'a [
     channel.force_n.get(sample(from)..sample(to))
 }
 
-/// Force during the longest load that cannot be a contact of one foot.
+/// Force during the longest rejected contact that is too long for one foot; `None` without such a contact.
 fn lasting_load<'a>(recording: &'a Recording, stances: &Stances) -> Option<&'a [f64]> {
     let long = |r: &&Rejected| {
         let lasting = matches!(
@@ -121,7 +120,7 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<Average> {
         STEP_S
     };
     let step_s = step_by_repetition(force, level, recording.rate_hz, &range)?;
-    // A mean over half a step preserves the first harmonic of the step for any shape of its peaks.
+    // Averaging over half a step preserves the first harmonic of the step frequency, for any shape of the peaks.
     let half = ((0.5 * step_s * recording.rate_hz) as usize).max(1);
     let rises = rises(force, half, level, 0.25 * deviation);
     let steps: Vec<f64> = rises
@@ -145,7 +144,7 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<Average> {
         if !pair.iter().all(regular) {
             continue;
         }
-        // All values are in samples; the recording extends beyond both ends.
+        // All values are in samples. The blend uses samples beyond both ends of the stride, so its half width is limited by the recording.
         let length = ends[2] - ends[0];
         let half = (BLEND * length).min(ends[0]).min(n - 1.0 - ends[2]);
         periodic(&mut row, ends[0], length, half, |t| at(force, t));
@@ -153,7 +152,7 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<Average> {
         durations.push(pair[0] + pair[1]);
         strikes.push([0, 1, 2].map(|k| ends[k] / recording.rate_hz));
     }
-    // Three of four steps must be regular, so that not every pair contains an irregular one.
+    // Because at least three of four steps are regular, at least one pair consists of regular steps.
     let strides = durations.len();
     let source = CycleSource::TotalForce { strides };
     let from = PeriodSource::TotalForce;
@@ -169,11 +168,11 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<Average> {
 /// Maximum fraction of the duration of a recording that may be without regular steps. Above this fraction, a note is added.
 const OTHER_SPEED: f64 = 0.15;
 
-/// Note if the regular steps do not fill the duration, s, except for one step at either end. The other steps were not detected, are
-/// irregular, or have another speed.
+/// Note that the regular steps do not fill the duration of the force, s; `None` if they do. One step at either end may be missing. The
+/// other steps were not detected, are irregular, or have another speed.
 fn other_speeds(steps: &[f64], usual: f64, duration_s: f64) -> Option<Note> {
     let regular = || steps.iter().filter(|s| (*s / usual - 1.0).abs() < ODD_STEP);
-    // Two steps in one also have this speed: the rise between them was too small to be detected.
+    // A step of double duration consists of two steps at this speed. The rise between them was too small to be detected.
     let doubled = (steps.iter()).filter(|s| (0.5 * *s / usual - 1.0).abs() < ODD_STEP);
     let used = regular().count();
     let stances = (duration_s / usual) as usize;
@@ -228,7 +227,8 @@ fn step_by_repetition(
     (best > REPEATS).then(|| (first + crest) as f64 / rate)
 }
 
-/// Positions, in samples, at which the mean over `half` samples on either side rises through a level after it was `margin` below the level.
+/// Positions, in samples, at which a moving mean over about `half` samples rises through `level`. The mean must first be more than `margin`
+/// below the level and then more than `margin` above it.
 fn rises(force: &[f64], half: usize, level: f64, margin: f64) -> Vec<f64> {
     let width = half.max(2) / 2;
     let count = (2 * width + 1) as f64;
@@ -247,7 +247,7 @@ fn rises(force: &[f64], half: usize, level: f64, margin: f64) -> Vec<f64> {
         if low && before <= level && now > level {
             crossing = Some((i - 1) as f64 + (level - before) / (now - before));
         }
-        // The rise is accepted once the force exceeds the level by the same margin.
+        // The rise is accepted when the moving mean exceeds the level by the margin.
         if low && now > level + margin {
             places.extend(crossing.take());
             low = false;
@@ -262,7 +262,8 @@ mod tests {
 
     #[test]
     fn a_rise_is_placed_between_the_samples_that_it_crosses() {
-        // Means over three samples: 0 … 0, 1, 2, 3 … 3, and back; 0.5 is crossed halfway from sample 4 to 5, 11 to 12.
+        // The means over three samples are 0 … 0, 1, 2, 3 … 3, and back. They cross 0.5 between samples 4 and 5, and between samples 11 and
+        // 12.
         let low = [0.0; 6];
         let force = [&low[..], &[3.0; 4], &low[..3], &[3.0; 5]].concat();
         assert_eq!(rises(&force, 2, 0.5, 0.4), [4.5, 11.5]);

@@ -10,7 +10,7 @@ use crate::stance::{RejectReason, Rejected, Stance, Stances};
 use crate::statistics::median;
 use crate::units::G;
 
-/// Warnings about a mean cycle, except those about its mass.
+/// Warnings about a mean cycle, except the warning of `implausible` about its mean force and mass.
 pub(super) fn warnings(
     recording: &Recording,
     stances: &Stances,
@@ -41,7 +41,7 @@ pub(super) fn warnings(
         let sum = used.iter().map(|s| of(s)).sum::<f64>();
         (!used.is_empty() && !total).then(|| sum / used.len() as f64)
     };
-    // The subjects of a table have different masses; each subject has a different peak.
+    // The subjects of a table have different masses and therefore different peak forces.
     let peak_n = mean(Stance::peak_n).filter(|_| !recording.has_rows());
     let slow = recording.kind == Some(Kind::Walking);
     let ranges = ranges(cycle.kind, cycle.mass_kg, slow);
@@ -65,7 +65,7 @@ pub(super) fn warnings(
     notes
 }
 
-/// Note that less than two thirds of the stances of a steady walk are similar. The stances that are used may then be partial contacts.
+/// Note if less than two thirds of the stances of a steady walk are similar. The used stances may then be partial contacts.
 fn few_alike(stances: &Stances) -> Option<Note> {
     let unlike = |r: &&Rejected| r.reason == RejectReason::Unlike;
     let used = stances.used.len();
@@ -73,13 +73,13 @@ fn few_alike(stances: &Stances) -> Option<Note> {
     (3 * used < 2 * stances).then_some(Note::FewAlike { used, stances })
 }
 
-/// Maximum coefficient of variation of strides at a constant speed; steady walkers have 0.01 to 0.03.
+/// Maximum coefficient of variation of strides at a constant speed. It is 0.01 to 0.03 for steady walkers.
 const ONE_SPEED: f64 = 0.05;
 
-/// Warning that the strides vary more than at a constant speed.
+/// Warning if the strides vary more than at a constant speed.
 fn varies(cycle: &Cycle) -> Option<Note> {
     let (period, spread) = (cycle.period.seconds, cycle.period.spread_s?);
-    // The steps of a limping walker differ; the strides do not.
+    // The steps of a limping walker differ, but the strides do not. Doubled steps are therefore not examined.
     let strides = cycle.period.from != PeriodSource::DoubledSteps;
     (strides && spread > ONE_SPEED * period).then(|| Note::StrideVaries {
         period: seconds(period),
@@ -104,11 +104,11 @@ fn mass_is_guessed(recording: &Recording, cycle: &Cycle) -> Vec<Note> {
     notes
 }
 
-/// Limit for two quantities of whole contacts: the step-to-step spread as a fraction of the weight, and the relative difference between the
-/// mean impulses of the feet.
+/// Maximum step-to-step spread of whole contacts, as a fraction of the weight. It is also the maximum relative difference between the mean
+/// impulses of the feet.
 const DIFFERENCE: f64 = 0.2;
 
-/// Permitted relative deviation of the impulse or the peak force, if there are only a few stances.
+/// Maximum relative deviation of the impulse or the peak force of a stance from the median, if there are only a few stances.
 const OFF: f64 = 0.1;
 /// Maximum number of stances that counts as few.
 const FEW: usize = 6;
@@ -125,7 +125,7 @@ fn off_fellows(used: &[&Stance]) -> f64 {
     worst(|s| s.impulse_ns).max(worst(Stance::peak_n))
 }
 
-/// Warning that the stances, or the impulses of the two feet, differ more than for whole contacts on the plates.
+/// Warning if the stances, or the impulses of the two feet, differ more than for whole contacts on the plates.
 fn differ(recording: &Recording, used: &[&Stance], cycle: &Cycle) -> Option<Note> {
     if recording.has_rows() || recording.insole {
         return None;
@@ -176,7 +176,7 @@ pub(super) fn confirm_clock(recording: &Recording, cycle: &mut Cycle) -> Result<
     if cycle.notes.iter().any(clock) {
         return Err(ForceError::ClockImplausible { period }.into());
     }
-    // Samples are counted in steps of one; so are milliseconds at 1000 Hz.
+    // Sample numbers increase in steps of one. Milliseconds at 1000 Hz also do.
     if (step - 1.0).abs() < 1e-6 {
         let stride = period;
         cycle.notes.push(Note::CountOrMilliseconds { stride });

@@ -7,7 +7,7 @@ use super::Fault;
 use crate::units::Quantity;
 use crate::wording::{Catalogue, WORDS};
 
-/// Reasons why there is no force curve.
+/// Errors for which no force curve can be computed.
 ///
 /// ```
 /// use gaitcam_gait::ForceCurve;
@@ -30,9 +30,9 @@ pub enum ForceError {
     SampleNotFinite { sample: usize },
     /// The period is not positive.
     PeriodNotPositive { period: Quantity },
-    /// The name of the feet is unknown.
+    /// The word is not a name of feet, such as `both` or `left`.
     UnknownFeet { word: String },
-    /// The kind of movement is unknown.
+    /// The word is not a kind of movement, such as `walking`.
     UnknownKind { word: String },
     /// The word does not name a question that the user may accept: `kind`, `clock` or `mass`.
     UnknownDoubt { word: String },
@@ -42,7 +42,7 @@ pub enum ForceError {
     UnknownUnit { word: String },
     /// The load model is unknown.
     UnknownModel { name: String, known: String },
-    /// The load model is unknown; a similar name exists.
+    /// The load model is unknown, but a model with a similar name exists.
     MisspeltModel { name: String, near: String },
     /// The body weight is not positive.
     WeightNotPositive { weight: Quantity },
@@ -57,7 +57,7 @@ pub enum ForceError {
     FrequencyMissing { model: String },
     /// The load model describes only both feet together.
     BothFeetOnly { model: String },
-    /// The time column was interpreted as milliseconds, but the resulting stride time is implausible.
+    /// The unit of the time column was assumed, but the resulting stride time is implausible.
     ClockImplausible { period: Quantity },
     /// The recording shows running, which was not requested.
     Running { duration: Quantity },
@@ -76,30 +76,30 @@ pub enum ForceError {
         to: Quantity,
         reason: &'static str,
     },
-    /// The file ends before the announced number of rows and contains no whole stance.
+    /// The file contains fewer rows or frames than announced, and no whole stance.
     NoStanceFileCut {
         duration: Quantity,
         announced: usize,
         found: usize,
         reason: &'static str,
     },
-    /// No channel has a load, but the readings of one channel are in the range of newtons per kilogram.
+    /// There is no contact. The maximum reading suggests newtons per kilogram instead of newtons.
     ForceTooLow { duration: Quantity, peak: Quantity },
-    /// Every channel is constant or empty.
+    /// Every channel is unloaded, constant or empty.
     NoLiveChannel { duration: Quantity },
-    /// No channel rises above the contact threshold.
+    /// The force of no channel exceeds the contact threshold.
     NoContact { duration: Quantity },
     /// The population has no walkers.
     NoWalkers,
-    /// The weight or the mean force of a walker is not positive.
+    /// The statistical weight or the mean force of a walker is not positive.
     WalkerImpossible { walker: String },
     /// A table of walkers lacks a column.
     WalkerColumnMissing { column: &'static str },
     /// A value in a table of walkers is not a number.
     WalkerValue { column: String, value: String },
-    /// All stances belong to the other foot.
+    /// All stances belong to the foot that was not requested.
     NoStanceOfFoot { foot: &'static str },
-    /// A side was requested, but the foot of the stances is unknown.
+    /// The left or the right foot was requested, but the feet of the stances are unknown.
     FeetNotNamed { foot: &'static str },
 }
 

@@ -31,7 +31,7 @@ pub enum ReadError {
     /// The given mass is not positive.
     MassNotPositive { mass: Quantity },
 
-    /// The file contains no table of numbers; `start` is the start of its text.
+    /// The file contains no table of numbers. `start` is the first part of its text.
     NoTable { start: String },
     /// The header contains a force column, but there are no rows of numbers.
     HeaderWithoutRows { column: String },
@@ -54,7 +54,7 @@ pub enum ReadError {
         column: String,
         columns: Vec<String>,
     },
-    /// The name of a column is unknown; a similar name exists.
+    /// The name of a column is unknown, but a similar name exists.
     MisspeltColumn {
         column: String,
         near: String,
@@ -66,42 +66,42 @@ pub enum ReadError {
     NoForceUnit { column: String, unit: String },
     /// One column is used both as force and as time.
     ForceIsTime,
-    /// The times decrease from one row to the next.
+    /// The times decrease from one row to the next, or do not increase within a cycle.
     TimeBackwards { time: f64, after: f64 },
     /// The rows are much shorter than the header row.
     ShortRows { fields: usize },
     /// Commas separate both fields and decimals.
     CommasTwice { columns: usize, fields: usize },
-    /// The file has fewer than two samples.
+    /// The file has fewer than two samples, or a cycle in a long table has fewer than four.
     FewSamples { samples: usize },
     /// The time does not increase.
     TimeStandsStill { at: Quantity },
-    /// Samples are missing for most of the time, about three quarters or more.
+    /// Samples are missing for about three quarters of the time or more.
     MostlyGaps { lost: Quantity, whole: Quantity },
     /// The file has no time column, and no sampling rate is known.
     NoRate,
     /// The forces are converter counts without calibration or mass.
     CountsWithoutMass,
-    /// The force is in body weights, but there is no mass.
+    /// The unit of force depends on the mass of the walker, but no mass is given.
     MassMissing { unit: &'static str },
 
     /// A sample of a stance is not a number.
     StanceSample { sample: usize, text: String },
     /// A table of stances contains no stances.
     NoStanceRow,
-    /// The force is in body weights, but this row has no mass.
+    /// The unit of force depends on the mass of the walker, but this row has no mass.
     RowMassMissing { unit: &'static str, row: usize },
 
-    /// The table of a cycle lacks a column.
+    /// The table of a cycle has no time column or no force column.
     CycleColumnMissing {
         column: CycleColumn,
         columns: Vec<String>,
     },
     /// The file is marked as a cycle but contains no table.
     CycleWithoutTable,
-    /// A line of a cycle is not a row of time and force.
+    /// A line in the table of a cycle is not a row of numbers.
     CycleRow,
-    /// A value of a cycle is missing or not a number.
+    /// A value in the table of a cycle is missing or not a number.
     CycleValue,
     /// The samples of a cycle last longer than its period.
     CycleTooLong { span: Quantity, period: Quantity },
@@ -112,7 +112,7 @@ pub enum ReadError {
     /// A critical point is after the end of the period.
     PointBeyondPeriod { at: Quantity, period: Quantity },
 
-    /// The MAT file has no array of numbers that can be a force.
+    /// The MAT file has no numeric array with a suitable size for a force.
     MatWithoutForce { arrays: Vec<String> },
     /// An array of a MAT file has fewer values than announced.
     MatCut {
@@ -120,9 +120,9 @@ pub enum ReadError {
         announced: usize,
         found: usize,
     },
-    /// The file of one cycle gives only the phase, and the duration of the cycle is not given.
+    /// The file of one cycle contains only phases, and the duration of the cycle is not given.
     PhaseWithoutPeriod { column: String },
-    /// The file gives the phase of a stance, but the part of the turn that the stance covers is not given.
+    /// The file contains phases of a stance, but the span of the stance is not given.
     PhaseOfStance { column: String },
     /// A C3D file is given as a file of one cycle.
     CycleInC3d,
@@ -133,7 +133,7 @@ pub enum ReadError {
     Processor { code: u8 },
     /// The C3D file has no analog samples.
     NoAnalog,
-    /// The number of analog values per frame is not a multiple of the number of channels.
+    /// The number of analog values in a frame is not a multiple of the number of samples per channel.
     OddAnalog { values: usize, samples: usize },
     /// The C3D file has no complete frame.
     NoFrame { bytes: usize },
@@ -145,7 +145,7 @@ pub enum ReadError {
     NoPlate { channels: String },
     /// Several files were given, but they are not the plates of one trial with one plate per file.
     NotPlatesOfOneTrial,
-    /// A force plate needs a calibration matrix but has none, and its channels are not in a unit of force.
+    /// A force plate requires a calibration matrix but has none, and its channels are not in a unit of force.
     PlateUncalibrated { plate: usize, channels: String },
     /// All force plates have an unsupported TYPE.
     PlateTypeUnknown {

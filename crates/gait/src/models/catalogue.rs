@@ -18,23 +18,23 @@ pub enum Status {
     Seen,
     /// The coefficients are quoted from memory and should be verified before they are cited.
     Recalled,
-    /// Some coefficients were read, others are quoted from memory; `ModelInfo::source` describes which.
+    /// Some coefficients were read, and others are quoted from memory. `ModelInfo::source` describes which.
     Mixed,
 }
 
 impl Status {
-    /// Name of the reliability in tables.
+    /// Name of the reliability in tables: `seen`, `recalled` or `mixed`.
     pub fn name(self) -> &'static str {
         self.into()
     }
 }
 
-/// Entry of the catalogue of load models.
+/// Load model in the catalogue: its name, formula, source, reliability and frequency range.
 ///
 /// ```
 /// use gaitcam_gait::catalogue;
 ///
-/// // Li et al. (2010) give one foot, Young (2001) the sum of both.
+/// // Li et al. (2010) describe the force of one foot, Young (2001) the sum of both feet.
 /// let single = |name| catalogue().iter().find(|model| model.name == name).unwrap().single_foot;
 /// assert!(single("li-2010") && !single("young"));
 /// ```
@@ -42,7 +42,7 @@ impl Status {
 pub struct ModelInfo {
     /// Name in scenes, for example `young`.
     pub name: &'static str,
-    /// Formula with its coefficients; f is the step frequency in Hz, G the body weight in N.
+    /// Formula with its coefficients. f is the step frequency, Hz, and G the body weight, N.
     pub formula: &'static str,
     /// Publication that describes the model.
     pub source: &'static str,

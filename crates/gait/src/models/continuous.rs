@@ -39,7 +39,7 @@ pub(super) fn harmonics(name: &str, f: f64) -> Harmonics {
             0.007 * (3.0 * f + 5.2),
             0.007 * (4.0 * f + 2.0),
         ]),
-        // The last remaining continuous model.
+        // `iso-10137` is the only remaining model.
         _ => in_phase(&[0.37 * (f - 1.0), 0.1, 0.06, 0.06, 0.06]),
     }
 }

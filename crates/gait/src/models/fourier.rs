@@ -8,13 +8,13 @@ use crate::error::{ForceError, Result};
 use crate::quantity::seconds;
 use crate::recording::Feet;
 
-/// Force of both feet together as a Fourier series: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)), with the body weight G, N, and the step
-/// frequency f, Hz.
+/// Force of both feet together as a Fourier series: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)). G is the body weight, N, and f the step
+/// frequency, Hz. aᵢ is the load factor and pᵢ the phase, rad, of harmonic i.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, of_harmonics};
 ///
-/// // 700 N with a harmonic of 40 % that crests a quarter of a step after heel strike.
+/// // 700 N with a harmonic of 40 %. Its maximum is a quarter of a step after heel strike.
 /// let force = of_harmonics(&[(0.4, 0.0)], Some(2.0), 700.0, Feet::Both)?;
 /// assert_eq!((force.mean_n(), force.period_s()), (700.0, 0.5));
 /// assert_eq!(force.waves(), [(0.0, 280.0)]);

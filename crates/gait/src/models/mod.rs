@@ -5,7 +5,7 @@
 //! - The *continuous* models describe the force of both feet together: `F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ))`. This is a Fourier series
 //!   with the body weight G, the step frequency f, the load factors aᵢ and the phases pᵢ. One cycle is one step, with the duration 1/f.
 //! - The *single-foot* models describe one stance. One cycle is one stride, with the duration 2/f and zero force in the swing phase. The
-//!   force of both feet is the sum of two stances half a stride apart; its period is one step.
+//!   force of both feet is the sum of two stances half a stride apart. Its period is one step.
 
 mod catalogue;
 mod continuous;
@@ -31,7 +31,8 @@ pub use fourier::FourierForce;
 ///
 /// # Errors
 ///
-/// The name is unknown (with the nearest name); the frequency is outside the range of the model; the weight is not positive.
+/// The name is unknown; the frequency is missing or outside the range of the model; the weight is not positive; one foot is requested from
+/// a continuous model.
 pub fn model(
     name: &str,
     step_frequency_hz: Option<f64>,
@@ -74,8 +75,8 @@ pub fn series(
     FourierForce::new(info.name, harmonics, f, body_weight_n, feet).map(Some)
 }
 
-/// One cycle of a force of both feet, given by load factors: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)), with the body weight G, N, and the
-/// step frequency f, Hz.
+/// One cycle of a force of both feet with given load factors: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)). G is the body weight, N, and f the
+/// step frequency, Hz.
 ///
 /// Each of the harmonics 1, 2, … has a pair (aᵢ, pᵢ) of load factor and phase, rad.
 ///
@@ -111,7 +112,7 @@ const ROUNDING: f64 = 1e-9;
 /// Name of a force whose load factors are given in the scene instead of being taken from a published model.
 const OWN: &str = "gait.harmonics";
 
-/// Duration of a cycle, s: one step for both feet, a stride of two steps for one foot.
+/// Duration of a cycle, s. A cycle of both feet is one step. A cycle of one foot is a stride of two steps.
 fn period(f: f64, feet: Feet) -> f64 {
     let steps = 1.0 / feet.share();
     steps / f

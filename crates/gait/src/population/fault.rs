@@ -14,7 +14,7 @@ const BOTH: std::ops::RangeInclusive<f64> = 0.85..=1.15;
 const UNIT: f64 = 6.0;
 /// Permitted range of the mean force of one foot, as fractions of the body weight.
 const ONE: std::ops::RangeInclusive<f64> = 0.4..=0.65;
-/// Fraction of the mean force below which a foot is off the ground.
+/// The foot is considered off the ground if the force is below this fraction of its mean.
 const LIFTED: f64 = 0.02;
 /// Ratio of two periods above which the shorter one is the period of a step and the longer one is the period of a stride. A stride consists
 /// of two steps.
@@ -25,7 +25,7 @@ const STEPS: f64 = 1.45;
 /// ```
 /// use gaitcam_gait::{ForceCurve, Walker, WalkerFault, walker_faults};
 ///
-/// // A walker of 90 kg does not press with 700 N on average.
+/// // The mean force of a walker of 90 kg is not 700 N.
 /// let mut cycle = ForceCurve::from_samples("W01", 0.5, vec![700.0, 800.0, 700.0, 600.0])?;
 /// cycle.mass_kg = Some(90.0);
 /// let walkers = [Walker::new("W01", cycle)];
@@ -42,13 +42,13 @@ pub enum WalkerFault {
         /// Mean force, in percent of the weight.
         percent: f64,
     },
-    /// The unit of force differs from that of most cycles.
+    /// The mean force differs so strongly from that of most cycles that its unit is probably another one.
     OtherUnit,
     /// The cycle is of one foot, but most cycles are of both feet, or vice versa.
     OtherFeet,
     /// The cycle is a step, but most cycles are strides, or vice versa.
     OtherCycle,
-    /// The movement differs from that of most cycles.
+    /// The kind of movement differs from that of most cycles.
     OtherKind,
 }
 
@@ -58,7 +58,7 @@ pub fn faults(all: &[Walker]) -> Vec<Option<WalkerFault>> {
     all.iter().map(|walker| crowd.fault(walker)).collect()
 }
 
-/// Properties of the majority of the walkers in a population.
+/// Properties of the majority of the cycles in a population.
 struct Crowd {
     /// Median of the mean forces of all cycles, N.
     force: f64,
@@ -66,11 +66,12 @@ struct Crowd {
     period: f64,
     /// Whether most cycles with a known mass are of both feet.
     both_feet: bool,
-    /// Whether most cycles are of one foot. Without a mass, a cycle counts as one foot if its force reaches zero.
+    /// Whether most cycles are of one foot. A cycle with a known mass is classified by its mean force. A cycle without mass and movement
+    /// counts as one foot if its force falls almost to zero.
     one_foot: bool,
     /// Whether most cycles consist of two similar halves, as a stride of two steps does.
     halves: bool,
-    /// Number of walkers for each kind of movement; walkers without a known kind are not counted.
+    /// Number of cycles for each kind of movement. Cycles without a known kind are not counted.
     kinds: HashMap<&'static str, usize>,
 }
 
@@ -133,7 +134,7 @@ impl Crowd {
     }
 }
 
-/// Whether neither mass nor movement is known, as for a cycle written by hand.
+/// Whether neither mass nor movement is known, as for a cycle that the user wrote.
 fn is_written(walker: &Walker) -> bool {
     walker.curve.mass_kg.is_none() && kind(walker).is_none()
 }
@@ -155,7 +156,8 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
     all.get(all.len() / 2).copied().unwrap_or_default()
 }
 
-/// Whether the two halves of a cycle are similar, like the two steps of a stride, rather than of opposite sign about the mean.
+/// Whether the deviations from the mean force are similar in both halves of a cycle, as in the two steps of a stride. In a single step,
+/// they have opposite signs.
 fn is_of_halves(walker: &Walker) -> bool {
     let (force, mean) = (&walker.curve.force_n, walker.curve.mean_n());
     let half = force.len() / 2;

@@ -23,11 +23,11 @@ use crate::error::{ForceError, Result};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Walker {
-    /// Name of the walker; all cycles with this name belong to the walker.
+    /// Name of the walker. All cycles with this name belong to this walker.
     pub name: String,
     /// Mean cycle of the force of the walker.
     pub curve: ForceCurve,
-    /// Statistical weight of the walker in a mean; only the ratio to the statistical weights of other walkers matters.
+    /// Statistical weight of the walker in a mean. Only the ratios of the statistical weights of the walkers affect the mean.
     pub weight: f64,
     /// Walking speed, m/s, if known.
     pub speed_m_per_s: Option<f64>,
@@ -50,7 +50,7 @@ impl Walker {
 /// ```
 /// use gaitcam_gait::{ForceCurve, Walker};
 ///
-/// // Two people in step: their mean is the mean of the cycles in parts of the weight, times the mean weight.
+/// // The mean of two walkers is computed from the cycles as fractions of the weight and multiplied by the mean weight.
 /// let cycle = |g: f64, a: f64| ForceCurve::from_samples("", 0.5, vec![g, g * (1.0 + a), g, g * (1.0 - a)]);
 /// let walkers = vec![Walker::new("A", cycle(600.0, 0.2)?), Walker::new("B", cycle(800.0, 0.4)?)];
 /// let mean = ForceCurve::of_walkers(walkers)?;
@@ -63,8 +63,8 @@ impl Walker {
 pub struct Population {
     /// All cycles of all walkers.
     pub walkers: Vec<Walker>,
-    /// Statistical weight of each cycle in a mean; the sum of all these weights is 1. The cycles of a walker share the statistical weight
-    /// of the walker.
+    /// Statistical weight of each cycle in a mean. The sum of these weights is 1. The cycles of a walker share the statistical weight of
+    /// the walker.
     pub shares: Vec<f64>,
 }
 

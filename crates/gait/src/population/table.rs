@@ -1,7 +1,8 @@
 //! Table of a population, with one cycle per row.
 //!
 //! The columns are `walker,speed_m_per_s,mass_kg,period_s,f_000,…,f_100`. The `f` columns contain the force, N, at equal steps of the
-//! cycle; the last value repeats the first one. `speed_m_per_s`, `mass_kg` and `weight` may be missing or empty.
+//! cycle. The last value repeats the first one. `speed_m_per_s`, `mass_kg` and the additional column `weight` (statistical weight) may be
+//! missing or empty.
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -52,7 +53,7 @@ pub struct WalkerRow {
     pub name: String,
     /// Line of the walker in the file, counted from 1.
     pub line: usize,
-    /// Cycle of the walker.
+    /// Cycle of the walker in this row.
     ///
     /// # Errors
     ///
@@ -64,7 +65,7 @@ pub struct WalkerRow {
 ///
 /// # Errors
 ///
-/// The first row without a cycle, and errors of [`read_rows`].
+/// The error of the first row without a cycle, or an error of [`read_rows`].
 pub fn read_table(path: &Path, bytes: &[u8]) -> Result<Vec<Walker>> {
     let rows = read_rows(path, bytes)?;
     rows.into_iter().map(|row| row.walker).collect()
@@ -147,7 +148,7 @@ fn walker(columns: &Columns, cells: &[&str], comma: bool) -> Result<Walker> {
         let place = place.filter(|p| !cell(*p).is_empty());
         place.map(number).transpose()
     };
-    // The last sample is the first one of the next cycle.
+    // The last sample repeats the first one, so it is omitted.
     let places = &columns.force[..columns.force.len() - 1];
     let force: std::result::Result<Vec<f64>, ForceError> =
         places.iter().map(|p| number(*p)).collect();

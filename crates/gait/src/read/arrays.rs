@@ -7,12 +7,12 @@ use crate::quantity::seconds;
 
 /// One cycle from times, s, and forces, N.
 ///
-/// The first sample may be repeated at the end. Without a `period`, s, the cycle ends one step after its last sample.
+/// The first sample may be repeated at the end. Without a `period`, s, the cycle ends one sampling interval after its last sample.
 ///
 /// # Errors
 ///
-/// Arrays of different lengths; fewer than four samples; values that are not finite; times that do not increase; samples after the end of the period.
-/// The keys in the errors are `t_s`, `f_n` and `period_s`.
+/// Arrays of different lengths; fewer than four samples; values that are not finite; times that do not increase; samples after the end of
+/// the period. The keys in the errors are `t_s`, `f_n` and `period_s`.
 pub fn of_arrays(
     name: &str,
     t_s: &[f64],

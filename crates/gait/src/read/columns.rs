@@ -1,7 +1,7 @@
-//! Meaning of the columns of a table, from their names.
+//! Meanings of the columns of a table, recognised from the column names.
 //!
 //! Names are split into words. Examples of names are `ground_force_l_vy`, `FP1.ForY`, `F1Z`, `Platte 1 Fz [N]` and `left total force[N]`.
-//! All of them contain words for the force, its component, and the plate or foot, in different orders.
+//! They contain words for the force, its component, and the plate or foot, in different orders.
 
 use super::vocabulary::{
     CYCLE, FRAME, LEFT, OTHER, PERCENT, PHASE, RIGHT, SIDE, STANCE, STRONG_FORCE, TIME, VERTICAL,
@@ -26,7 +26,7 @@ pub(super) enum Role {
     Other,
 }
 
-/// Words of a name in lower case, without a unit in brackets; `ForY1` gives `for`, `y`, `1`.
+/// Words of a name in lower case, without a unit in brackets. For example, `ForY1` gives `for`, `y` and `1`.
 pub(super) fn words(name: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     let mut word = String::new();
@@ -64,7 +64,7 @@ pub(super) fn bracketed(name: &str) -> impl Iterator<Item = &str> {
     opened.filter_map(|rest| Some(rest[..rest.find([']', ')'])?].trim()))
 }
 
-/// Meaning of a column, from its name.
+/// Meaning of a column, recognised from its name.
 pub(super) fn role(name: &str) -> Role {
     let words = words(name);
     let has = |list: &str| words.iter().any(|w| is(w, list));
@@ -155,7 +155,7 @@ fn force_axis(words: &[String]) -> Option<Axis> {
     }
     let axis = words.iter().rev().find_map(|w| Some((w, axis_letter(w)?)));
     if let Some((word, axis)) = axis {
-        // `HFx` is a marker, `LFz` a foot: a separate letter before the component must be a side.
+        // `HFx` denotes a marker, `LFz` a foot. A separate letter before the component must therefore denote a side.
         let before = words.iter().rev().skip_while(|w| *w != word).nth(1);
         let marker = before.is_some_and(|b| {
             let lone = b.chars().count() == 1 && !b.starts_with(|c: char| c.is_ascii_digit());

@@ -1,10 +1,10 @@
-//! A cycle from its critical points. The curve has a horizontal tangent at each point and does not overshoot between the points.
+//! A cycle from its critical points. The curve has a horizontal tangent at each peak and valley and is monotone between the points.
 
 use crate::curve::{ForceCurve, SAMPLES};
 use crate::error::{ReadError, Result};
 use crate::quantity::seconds;
 
-/// A curve through critical points, with horizontal tangents at peaks and valleys, monotone between them.
+/// A curve through critical points. It has horizontal tangents at peaks and valleys and is monotone between the points.
 pub(super) fn critical(
     name: &str,
     times: &[f64],
@@ -26,7 +26,8 @@ pub(super) fn critical(
 
 /// Piecewise cubic through the points of one period, sampled at equal phases.
 ///
-/// The slopes are periodic and follow Fritsch and Butland: the curve is monotone between points, and the slope is zero at extrema.
+/// The slopes are periodic and computed by the method of Fritsch and Butland. The curve is monotone between points, and its slope is zero
+/// at extrema.
 pub(super) fn through(name: &str, mut points: Vec<(f64, f64)>, period: f64) -> Result<ForceCurve> {
     let (last, first) = (points[points.len() - 1], points[0]);
     if last.0 > period * (1.0 + 1e-9) {

@@ -14,13 +14,14 @@ const SHARES: std::ops::RangeInclusive<f64> = 0.012..=0.15;
 /// Minimum fraction of the variance of the readings that the cross-talk explains.
 const EXPLAINED: f64 = 0.3;
 const SHORTEST_S: f64 = 0.5;
-/// Minimum variation of the disturbing force, as a fraction of its maximum. It corresponds to the variation in single support.
+/// Minimum standard deviation of the force on the other plate, as a fraction of its maximum. In single support, the force varies by about
+/// this value.
 const VARIES: f64 = 0.03;
 /// Maximum number of plates for which all pairs are examined.
 const MOST_PLATES: usize = 12;
 const MOST_READINGS: usize = 1 << 15;
 
-/// Share of the force on a disturbing plate in the readings of another plate, and the unloaded level of the other plate.
+/// Share of the force on plate `of` in the readings of another plate, and the unloaded level of that other plate.
 struct Share {
     of: usize,
     share: f64,
@@ -28,7 +29,7 @@ struct Share {
     readings: usize,
 }
 
-/// Subtracts cross-talk from the channels, and adds a note with each share.
+/// Subtracts cross-talk from the channels, and adds a note for each subtracted share.
 pub(super) fn remove(channels: &mut [Channel], rate_hz: f64, notes: &mut Vec<Note>) {
     let live: Vec<usize> = (0..channels.len())
         .filter(|&i| channels[i].idle.is_none())
@@ -56,7 +57,7 @@ pub(super) fn remove(channels: &mut [Channel], rate_hz: f64, notes: &mut Vec<Not
         return;
     }
     let mut clean: Vec<Vec<f64>> = channels.iter().map(|c| c.force_n.clone()).collect();
-    // A disturbing force is itself disturbed: the second iteration uses the corrected one.
+    // The force on the other plate may also contain cross-talk. The second iteration uses the corrected force.
     for _ in 0..2 {
         let before = clean.clone();
         for (i, shares) in all.iter().enumerate() {
@@ -91,7 +92,7 @@ pub(super) fn remove(channels: &mut [Channel], rate_hz: f64, notes: &mut Vec<Not
     }
 }
 
-/// Samples at which a plate is certainly unloaded.
+/// For each sample, whether the plate is certainly unloaded.
 fn unloaded(channel: &Channel, rate_hz: f64) -> Vec<bool> {
     let force = &channel.force_n;
     let top = ends(force).map_or(0.0, |(_, top)| top);

@@ -1,4 +1,4 @@
-//! Texts that contain exactly one cycle: samples at equal or unequal distances, or the critical points of a curve.
+//! Texts that contain exactly one cycle: samples at equal or unequal time steps, or the critical points of a curve.
 //!
 //! Such a text has a comment line `# cycle` or `# critical points`. Another comment gives the period, for example `period_s = 0.5`. The
 //! table below the comments has a time column and a force column, and optionally a column with the spread of the force.
@@ -17,10 +17,10 @@ use crate::error::{Error, ForceError, Placed, ReadError, Result};
 use crate::quantity::seconds;
 use crate::recording::{Note, ReadOptions};
 
-/// Number of lines at the start of a text that are searched for the mark.
+/// Number of lines at the start of a text that are searched for the comment that marks a cycle.
 const HEAD: usize = 40;
 
-/// Kind of content of a text, according to its mark.
+/// Content of a marked text: samples of a cycle, or critical points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Cycle,
@@ -40,7 +40,7 @@ pub fn is_marked(bytes: &[u8]) -> bool {
     comments(&plain(bytes)).iter().any(|c| kind(c).is_some())
 }
 
-/// Reads a text marked as one cycle; `None` for any other file.
+/// Reads a text marked as one cycle. If a period or a span is given, any table is read, including a MAT file. `None` for other files.
 pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Option<ForceCurve>> {
     let is_mat = mat::is_level_5(bytes);
     let text_bytes = (!is_mat).then(|| plain(bytes));
@@ -146,7 +146,7 @@ fn period(comment: &str) -> Option<f64> {
     keys::number(rest, false).filter(|period| *period > 0.0)
 }
 
-/// A cycle from samples: unchanged if they are uniform in time, otherwise resampled at equal phases.
+/// A cycle from samples. Samples at uniform times are unchanged. Other samples are resampled at equal phases.
 pub(super) fn sampled(
     name: &str,
     times: &[f64],
@@ -188,8 +188,8 @@ pub(super) fn sampled(
     through(name, points, period)
 }
 
-/// Duration of the samples, s, according to the times in a file, if it is inconsistent with the given period; otherwise `None`. With a
-/// given span, the duration is compared with the part of the period that the span covers.
+/// Duration of the samples, s, according to the times in a file, if it is inconsistent with the given period; otherwise `None`. If a span
+/// is given, the duration is compared with this span of the period.
 fn other_clock(times: &[f64], options: &ReadOptions) -> Option<f64> {
     let (Some(period), [first, .., last]) = (options.period_s, times) else {
         return None;
@@ -201,14 +201,14 @@ fn other_clock(times: &[f64], options: &ReadOptions) -> Option<f64> {
     (!fits && length > 0.0).then_some(length)
 }
 
-/// Scales the times of a file of one cycle. The rows then fill the period, or the part of the period that the span covers.
+/// Scales the times of a file of one cycle. The samples then fill the period, or the given span of the period.
 fn stretched(times: Vec<f64>, options: &ReadOptions) -> Vec<f64> {
     let (Some(period), [first, .., last]) = (options.period_s, &times[..]) else {
         return times;
     };
     let covered = options.span_rad.map_or(period, |s| period * s / TAU);
     let step = (last - first) / (times.len() - 1) as f64;
-    // A file whose times cover the whole period, or that covers a span, contains both ends.
+    // The samples include both ends of the cycle if the times cover the whole period, or if a span is given.
     let holds_ends = options.span_rad.is_some() || ((last - first) / period - 1.0).abs() < 1e-6;
     let length = if holds_ends {
         last - first
@@ -219,7 +219,7 @@ fn stretched(times: Vec<f64>, options: &ReadOptions) -> Vec<f64> {
     times.iter().map(|t| (t - first) * factor).collect()
 }
 
-/// A force over a fraction of the turn; the force is zero in the rest of the turn.
+/// A cycle with the given force in a fraction `share` of the turn and zero force in the rest of the turn.
 fn spanned(
     name: &str,
     times: &[f64],
@@ -317,7 +317,7 @@ mod tests {
         let n = half.force_n.len();
         assert_eq!(half.period_s, 2.0);
         assert!((half.force_n[n / 4]).abs() < 1e-9 && half.force_n[3 * n / 4] == 0.0);
-        // Rows that say 1 s fill the period that is given, with a note where it is another by more than a sample.
+        // Times up to 1 s are scaled to the given period. A note is added if the period differs from 1 s by more than a sample.
         let is_noted = |period, span| !open(Some(period), span).notes.is_empty();
         for (period, noted) in [
             (0.5, true),
@@ -336,7 +336,7 @@ mod tests {
             );
         }
         assert!(open(None, Some(0.25 * TAU)).notes.is_empty());
-        // Without a period the rows take as long as they say.
+        // Without a period, the times are not scaled.
         assert!((open(None, Some(0.25 * TAU)).period_s - 4.0).abs() < 1e-9);
     }
 

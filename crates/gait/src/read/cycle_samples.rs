@@ -8,11 +8,11 @@ use super::vertical::keep_vertical;
 use crate::error::{CycleColumn, Placed, ReadError, Result};
 use crate::recording::{ForceUnit, ReadOptions};
 
-/// Value above which phases are in percent of the cycle instead of fractions.
+/// Maximum phase as a fraction of the cycle. If a phase exceeds this value, all phases are in percent.
 pub(super) const LARGEST_PART: f64 = 1.5;
 
-/// Samples of a cycle in the units of the file, with the seconds per unit of the times (`None` if the column is not known to be a time).
-/// The first column is the force; a second column is the spread of the force. Every row must be complete.
+/// Samples of a cycle in the units of the file, and the seconds per unit of the times. The latter is `None` if the column may not be a
+/// time. The first column is the force. A second column, if any, is the spread of the force. Every row must be complete.
 pub(super) fn samples(file: &TextFile, table: &Table) -> Result<(Samples, Option<f64>)> {
     let options = file.options;
     let names = &table.names;
@@ -60,11 +60,11 @@ fn is_spread(name: &str) -> bool {
     words(name).first().is_some_and(word)
 }
 
-/// Samples of the file with a single force, and the seconds per unit of the times (`None` if the column is not known to be a time).
+/// Samples of the file with a single force, and the seconds per unit of the times. The latter is `None` if the column may not be a time.
 ///
 /// # Errors
 ///
-/// There are several forces.
+/// There is no force, or there are several forces.
 pub(super) fn one_force(
     file: &TextFile,
     table: &Table,
@@ -84,7 +84,7 @@ pub(super) fn one_force(
         let fault = ReadError::CycleForces { columns };
         return Err(fault.at_line(file.path, table.header_line()));
     }
-    // A bare `time` is in seconds. A column with another unit, such as a percentage, is not a time.
+    // A column with only the name `time` is in seconds. A column with another unit, such as a percentage, is not a time.
     let options = file.options;
     let is_time =
         |name: &&String| matches!(role(name), Role::Time) || options.time.as_ref() == Some(name);

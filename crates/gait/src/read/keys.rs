@@ -30,7 +30,7 @@ const MASS: &str = "mass gewicht weight masse peso poids masa";
 
 /// Reads the keys of header lines such as `SampleRate=450`, `Gewicht [kg];56,8`, `nRows=1501`.
 ///
-/// In a Nexus export, the rate is a line that contains only a number, below a line `Devices`.
+/// In a Nexus export, the line below the line `Devices` contains only the rate.
 pub(super) fn read(head: &[String], comma: bool) -> Keys {
     let mut keys = Keys::default();
     for (i, line) in head.iter().enumerate() {
@@ -85,7 +85,7 @@ fn split(line: &str) -> Option<(&str, &str)> {
     line.rsplit_once(' ').map(|(k, v)| (k.trim(), v.trim()))
 }
 
-/// Number at the start of a value; a unit may follow.
+/// Number at the start of a value. A unit may follow the number.
 pub(super) fn number(typed: &str, comma: bool) -> Option<f64> {
     let first = typed.split(['\t', ';', ' ']).next().unwrap_or("");
     let end = first

@@ -79,7 +79,7 @@ fn foreign(bytes: &[u8]) -> Option<FileKind> {
     if let Some((_, kind)) = known.iter().find(|(mark, _)| start.starts_with(mark)) {
         return Some(*kind);
     }
-    // UTF-16 has its byte-order mark. Other text contains hardly any control characters; binary numbers contain many.
+    // UTF-16 has its byte-order mark. Other text contains hardly any control characters, but binary numbers contain many.
     let wide = bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF");
     let head = &bytes[..bytes.len().min(4096)];
     let control = |b: &&u8| **b < 9 || (14..32).contains(*b);
@@ -89,11 +89,11 @@ fn foreign(bytes: &[u8]) -> Option<FileKind> {
 
 pub use cycle_file::is_marked as is_marked_cycle;
 
-/// Reads a text marked as one cycle, or any text if a period or a span is given; `None` for other files.
+/// Reads a text marked as one cycle, or any text or MAT file if a period or a span is given; `None` for other files.
 ///
 /// # Errors
 ///
-/// A line is not a number; there are too few samples.
+/// A line is not a number; there are too few samples; a period or a span is given for a C3D file.
 pub fn marked_cycle(
     path: &Path,
     bytes: &[u8],

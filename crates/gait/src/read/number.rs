@@ -11,7 +11,7 @@ pub(super) enum Field {
     Text,
 }
 
-/// Maximum length of a numeric field; a longer field is text.
+/// Maximum length of a numeric field, bytes. A longer field is text.
 const LONGEST: usize = 64;
 
 /// Powers of ten up to the maximum number of decimals that [`short`] accepts.
@@ -77,7 +77,7 @@ pub(super) fn value(bytes: &[u8], comma: bool) -> f64 {
     }
 }
 
-/// Removes spaces and one pair of quotes from both ends.
+/// Removes spaces, tabs, carriage returns, quotes and zero bytes from both ends.
 pub(super) fn trim(b: &[u8]) -> &[u8] {
     let kept = |c: &u8| !matches!(c, b' ' | b'\t' | b'\r' | b'"' | b'\'' | 0);
     let start = b.iter().position(kept).unwrap_or(b.len());
@@ -88,8 +88,7 @@ pub(super) fn trim(b: &[u8]) -> &[u8] {
 /// Characters that group thousands, in addition to point and comma: apostrophe, space, and their typographic forms.
 const GROUPS: [&str; 5] = ["\u{2019}", "\u{202f}", "\u{a0}", "'", " "];
 
-/// Reads the fields that the fast reader does not: numbers with exponents, many digits or grouped thousands, and unusual words for missing
-/// values.
+/// Reads the fields that `short` does not: numbers with exponents, many digits or grouped thousands, and unusual words for missing values.
 fn long(b: &[u8], comma: bool) -> Field {
     let Ok(text) = std::str::from_utf8(b) else {
         return Field::Text;

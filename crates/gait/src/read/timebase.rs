@@ -24,7 +24,7 @@ pub(super) struct TimeBase {
 /// Maximum deviation of a sample from its uniform time, in sampling intervals, that is accepted without resampling.
 const SLACK: f64 = 0.75;
 
-/// Ratio of the step between two times to the usual step, above which the step is a gap.
+/// A step between two times is a gap if it exceeds this multiple of the usual step.
 const GAP: f64 = 2.5;
 
 impl TimeBase {
@@ -77,7 +77,7 @@ impl TimeBase {
         } else {
             usual
         };
-        // A gap must not require more memory than the samples themselves.
+        // The resampled values must not require much more memory than the samples in the file.
         let slots = whole / step;
         if slots > 4.0 * n as f64 + 1000.0 {
             let (lost, whole) = (seconds(lost), seconds(whole));
@@ -104,7 +104,7 @@ impl TimeBase {
         self.uneven.is_some()
     }
 
-    /// Values at uniform times, by linear interpolation. Values next to missing values are missing too.
+    /// Values at uniform times, by linear interpolation. A value between a missing and another value is also missing.
     pub fn resampled(&self, values: Vec<f64>) -> Vec<f64> {
         let Some(at) = &self.uneven else {
             return values;
@@ -150,7 +150,8 @@ fn missed(times: &[f64], usual: f64) -> Option<(usize, f64)> {
     Some((count, 0.5 * (times[first] + times[first + 1]) - times[0]))
 }
 
-/// Median step between adjacent times of a thinned set. If rounding makes the median zero, the mean step.
+/// Median of the steps between adjacent times, from a thinned set of steps. If the median is zero because of rounding, the mean step is
+/// returned.
 pub(super) fn usual_step(times: &[f64]) -> f64 {
     let thin = times.len() / 4096 + 1;
     let neighbours = times.windows(2).step_by(thin);

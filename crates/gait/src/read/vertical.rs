@@ -158,8 +158,8 @@ pub(super) fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<Note>) {
     }
     let named = raw.iter().any(|r| r.axis == Axis::Vertical);
     let keep = if named {
-        // In addition to complete triples, a plate or foot may have a single column without a component. It is a total or resultant only if its name
-        // states that it is vertical. The triples are then its parts.
+        // In addition to its three components, a plate or foot may have a column without a component. Such a column remains only if its
+        // name denotes a vertical or total force. The components are then excluded.
         Axis::Vertical
     } else {
         let present = |a: &Axis| raw.iter().any(|r| r.axis == *a);
@@ -179,7 +179,7 @@ pub(super) fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<Note>) {
     raw.retain(|r| r.axis == keep);
 }
 
-/// Sum over all plates of the maximum deviation of one force component from its resting level.
+/// Maximum deviation of one force component from its resting level, summed over all plates.
 fn swing_of(raw: &[RawForce], axis: Axis) -> f64 {
     let columns = raw.iter().filter(|r| r.axis == axis);
     columns.map(|r| swing(&r.values)).sum()
@@ -191,7 +191,7 @@ fn swing(values: &[f64]) -> f64 {
     let Some((low, high)) = ends(&thin) else {
         return 0.0;
     };
-    // The resting level is zero unless the readings never come near zero.
+    // The resting level is zero. If all readings have the same sign, it is the reading nearest to zero.
     let rest = low.max(0.0) + high.min(0.0);
     let mut reach = |q: f64| {
         let rank = ((thin.len() - 1) as f64 * q) as usize;
@@ -219,7 +219,7 @@ fn unit(raw: &[RawForce], options: &ReadOptions, notes: &mut Vec<Note>) -> (Forc
     {
         return (unit, UnitSource::File);
     }
-    // An unloaded plate also has readings of a few newtons; body weights are accepted only with a mass.
+    // The readings of an unloaded plate are also only a few newtons. They are interpreted as body weights only if the user gives a mass.
     if label == Some(ForceUnit::Newton) && options.mass_kg.is_none() {
         let peak = newtons(peak);
         notes.push(Note::LowForce { peak });

@@ -15,7 +15,7 @@ pub(super) const VERTICAL: &str = "vertical vert vertikal verticale v normal up"
 pub(super) const VERTICAL_FORCE: &str = "vgrf fv grfv fvert vforce";
 /// Words for the total force of a plate or foot.
 pub(super) const WHOLE: &str = "total gesamt sum plate";
-/// Words for pressure insoles and their makes.
+/// Words for pressure insoles, and names of insole systems.
 pub(super) const INSOLE: &str = "insole insoles pedar loadsol opengo moticon fscan plantilla plantillas \
     einlegesohle einlegesohlen sohle sohlen semelle semelles soletta palmilha";
 pub(super) const TIME: &str = "time zeit temps tiempo tempo";

@@ -56,7 +56,7 @@ pub enum Feet {
     /// Sum of both feet, as applied to a floor or footbridge.
     #[default]
     Both,
-    /// One foot, left or right; the mean of both feet if the source contains both.
+    /// One foot, left or right. If the recording contains both feet, it is the mean of all stances.
     One,
     /// Only the left foot.
     Left,

@@ -23,7 +23,7 @@ use crate::wording::{Language, sentence};
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Format {
-    /// C3D file; its number format depends on the computer that wrote it.
+    /// C3D file. Its number format depends on the computer that wrote it.
     C3d {
         /// Number format of the computer that wrote the file.
         processor: Processor,
@@ -58,7 +58,7 @@ pub enum Format {
 /// ```
 /// use gaitcam_gait::{Format, Processor, Storage};
 ///
-/// // DEC floats differ from IEEE floats; a C3D file names its processor.
+/// // DEC floats differ from IEEE floats. A C3D file contains the type of its processor.
 /// let file = Format::C3d { processor: Processor::Dec, storage: Storage::Floats };
 /// assert!(file.to_string().contains("DEC"));
 /// ```

@@ -13,12 +13,12 @@ const REACH: f64 = 0.5;
 /// Coordinates of a marker, in any unit of length.
 type Position = [f64; 3];
 
-/// Paths of both heels with a common time base.
+/// Paths of both heel markers with a common time base.
 ///
 /// ```
 /// use gaitcam_gait::{Foot, Heels};
 ///
-/// // The left heel stands, the right one moves by 1 m/s.
+/// // The left heel is at rest, and the right heel moves at 1 m/s.
 /// let right = (0..50).map(|i| [0.01 * f64::from(i), 0.1, 0.0]).collect();
 /// let heels = Heels { rate_hz: 100.0, left: vec![[0.2, 0.0, 0.0]; 50], right };
 /// assert_eq!(heels.standing(0.0, 0.4), Some(Foot::Left));
@@ -28,9 +28,10 @@ type Position = [f64; 3];
 pub struct Heels {
     /// Number of positions per second, 1/s. The first position is at the time of the first force sample.
     pub rate_hz: f64,
-    /// Positions of the left heel, in the axes and the unit of length of the file; NaN for frames in which the marker was not visible.
+    /// Positions of the left heel, in the axes and the unit of length of the file. They are NaN for frames in which the marker was not
+    /// visible.
     pub left: Vec<[f64; 3]>,
-    /// Positions of the right heel, in the same form as those of the left heel.
+    /// Positions of the right heel, with the same axes, unit and marking of invisible frames.
     pub right: Vec<[f64; 3]>,
 }
 

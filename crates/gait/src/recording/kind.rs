@@ -28,7 +28,8 @@ pub enum Kind {
     Standing,
     /// Jumping: both feet leave the ground at the same time.
     Jumping,
-    /// Rising from a seat or sitting down: the load increases from that of the feet alone to the weight, or decreases accordingly.
+    /// Sit-to-stand: rising from a seat, or sitting down. The force on the plates changes between a fraction of the weight and the whole
+    /// weight.
     SitToStand,
     /// Any other movement, for which no mean cycle is computed.
     Other,
@@ -66,7 +67,7 @@ pub enum OpenQuestion {
     Kind,
     /// Whether the duration of a stride is correct.
     Clock,
-    /// Whether the mass of the walker is correct; it scales the forces.
+    /// Whether the mass of the walker is correct, because the mass scales the forces.
     Mass,
     /// Whether the readings are clipped below the peaks of the force. A recording with this question cannot be accepted.
     Clipped,
@@ -87,7 +88,7 @@ impl OpenQuestion {
     ///
     /// # Errors
     ///
-    /// The list contains a word that is not one of these three.
+    /// The list contains a word other than `kind`, `clock` and `mass`.
     pub fn list(words: &str) -> Result<Vec<OpenQuestion>> {
         let parts = words.split([',', ' ']).filter(|w| !w.is_empty());
         let accepted = |word: &str| {

@@ -49,13 +49,13 @@ pub struct ReadOptions {
     pub rate_hz: Option<f64>,
     /// Mass of the walker, kg.
     pub mass_kg: Option<f64>,
-    /// Kind of movement in the recording; if `None`, it is recognised from the forces.
+    /// Kind of movement in the recording. If `None`, it is recognised from the forces.
     pub kind: Option<Kind>,
     /// Duration of the cycle, s, if the file contains exactly one cycle.
     pub period_s: Option<f64>,
-    /// Angle of the turn, rad, that the file covers; the force is zero in the rest of the turn.
+    /// Cam angle, rad, that the force in the file spans. The force is zero in the rest of the turn.
     pub span_rad: Option<f64>,
-    /// Root mean square noise of the readings, N; estimated from unloaded samples if not given.
+    /// Root mean square noise of the readings, N. If `None`, it is estimated from unloaded samples.
     pub noise_n: Option<f64>,
     /// Content of the table of subjects that belongs to a table of stances (see [`metadata_name`](super::metadata_name)).
     pub metadata: Option<Vec<u8>>,
@@ -67,7 +67,7 @@ pub struct ReadOptions {
 /// use gaitcam_gait::{ReadOptions, read};
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
-/// // Texts mark no strikes; C3D files may.
+/// // A text contains no marked strikes; a C3D file may contain some.
 /// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
 /// assert!(recording.strikes.iter().all(|strike| strike.at_s >= 0.0) && recording.strikes.is_empty());
 /// # Ok::<(), gaitcam_gait::error::Error>(())
@@ -86,7 +86,7 @@ pub struct Strike {
 /// use gaitcam_gait::{ReadOptions, read};
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
-/// // A recording over time has no rows of stances, a table of stances one for each.
+/// // A recording over time has no rows of stances. Only a table of stances has them.
 /// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
 /// assert!(!recording.has_rows() && recording.channels[0].rows.is_empty());
 /// # Ok::<(), gaitcam_gait::error::Error>(())
@@ -101,7 +101,7 @@ pub struct Row {
     pub mass_kg: Option<f64>,
 }
 
-/// Vertical force on one plate, insole or side.
+/// Vertical force on one plate, insole, belt or foot, N.
 ///
 /// ```
 /// use gaitcam_gait::{Foot, ReadOptions, read};
@@ -110,7 +110,7 @@ pub struct Row {
 /// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
 /// let left = &recording.channels[0];
 /// assert_eq!((left.foot, left.force_n.len()), (Some(Foot::Left), 1050));
-/// // Noise of 2 N on the made plates.
+/// // The noise of the simulated plates is 2 N.
 /// assert!((left.noise_n - 2.0).abs() < 0.3);
 /// # Ok::<(), gaitcam_gait::error::Error>(())
 /// ```

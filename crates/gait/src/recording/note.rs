@@ -38,7 +38,7 @@ pub enum Axis {
 /// use gaitcam_gait::{Note, OpenQuestion};
 /// use gaitcam_gait::units::Quantity;
 ///
-/// // A stride whose duration was assumed leaves the clock open until the user answers.
+/// // A stride time that was assumed leaves a question on the time base open until the user answers it.
 /// let note = Note::StrideAssumed { period: Quantity::time(1.1), duty: Quantity::share(0.62) };
 /// assert_eq!((note.code(), note.doubt()), ("stride-assumed", Some(OpenQuestion::Clock)));
 /// ```
@@ -48,7 +48,7 @@ pub enum Axis {
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum Note {
-    /// The number of rows announced in the header is wrong.
+    /// The number of rows announced in the header differs from the number in the file.
     RowsDiffer { announced: usize, found: usize },
     /// The number of frames announced in the header is larger than the number in the file.
     FramesMissing { announced: usize, found: usize },
@@ -67,7 +67,7 @@ pub enum Note {
     StancePerRow { rows: usize },
     /// The table of subjects contains the masses of only some stances.
     MassesMissing { known: usize, rows: usize },
-    /// The durations of the stances are unknown, because all have the same number of samples.
+    /// The durations of the stances are unknown, because all have the same number of samples. A typical duration was assumed.
     DurationsLost { samples: usize, assumed: Quantity },
     /// A table of stances has no sampling rate. A rate was assumed for which the stances have a typical duration.
     RateGuessed { rate: Quantity, stance: Quantity },
@@ -77,13 +77,13 @@ pub enum Note {
     TimeUnitGuessed { step: f64, unit: &'static str },
     /// Single samples are missing.
     SamplesMissing { count: usize, first: Quantity },
-    /// Header and time column have different rates; the time column is used.
+    /// The header and the time column have different sampling rates. The rate of the time column is used.
     RatesDiffer { header: Quantity, column: Quantity },
     /// The samples were not at uniform times and were resampled.
     UnevenSamples,
     /// The unit of force was determined from the magnitude of the readings.
     UnitGuessed { peak: f64, unit: ForceUnit },
-    /// The unit in the file is impossible for the readings.
+    /// The unit in the file is implausible for the magnitude of the readings.
     UnitLabelRejected {
         label: ForceUnit,
         peak: f64,
@@ -111,11 +111,11 @@ pub enum Note {
     },
     /// The stances of a recording fill only a span of the turn.
     StanceFillsSpan {
-        /// Number of stances that the span contains.
+        /// Number of stances in the mean stance that fills the span.
         stances: usize,
-        /// Start of the first stance in the span.
+        /// Start of the first of these stances, as in the file.
         from: Quantity,
-        /// End of the first stance in the span.
+        /// End of the first of these stances, as in the file.
         to: Quantity,
     },
     /// A share of the force on another plate was subtracted, because it is cross-talk.
@@ -133,7 +133,7 @@ pub enum Note {
         level: Quantity,
         at_ends: Quantity,
     },
-    /// The unloaded reading of a column drifts by some newtons per second; the drift was subtracted.
+    /// The unloaded reading of a column drifts. The drift was subtracted.
     DriftRemoved { column: String, rise: Quantity },
     /// The stride durations vary, so the walk is not steady or has more than one speed.
     StrideVaries { period: Quantity, spread: Quantity },
@@ -147,7 +147,7 @@ pub enum Note {
     VerticalGuessed { vertical: Axis, other: Axis },
     /// `ground_force` was interpreted as the right foot and `1_ground_force` as the left foot, as in the examples of OpenSim.
     FeetGuessed,
-    /// The file does not describe force plates; channels were selected by their labels.
+    /// The file contains no usable force plate, so channels were selected by their labels.
     NoPlates,
     /// A plate was excluded, because its TYPE is not in the range 1 to 7.
     PlateTypeUnknown { plate: usize, kind: i64 },
@@ -161,7 +161,7 @@ pub enum Note {
     InsoleMass { mass: Quantity },
     /// The stances of one foot were used for both feet.
     OneFootForBoth { stances: usize },
-    /// The stride time cannot be determined from the recording; a typical duty factor was assumed.
+    /// The stride time cannot be determined from the recording. A typical duty factor was assumed.
     StrideAssumed { period: Quantity, duty: Quantity },
     /// The stride time is outside the plausible range for the movement.
     StrideImplausible {
@@ -183,7 +183,7 @@ pub enum Note {
         mass: Quantity,
         share: WeightShare,
     },
-    /// The mass is outside the range of human masses.
+    /// The mass is outside the range of human masses, or implausible for the stride time.
     MassImplausible { mean: Quantity, mass: Quantity },
     /// The unit of force was assumed, and with this unit the mass is implausible for an adult.
     UnitUnconfirmed { unit: ForceUnit, mass: Quantity },
@@ -245,7 +245,7 @@ pub enum WeightShare {
 /// ```
 /// use gaitcam_gait::{ClockSource, ReadOptions, read};
 ///
-/// // The user's rate counts where a file has none.
+/// // The file contains no sampling rate, so the rate of the user is necessary.
 /// let text = "Fz (N)\n700\n701\n702\n703\n704\n";
 /// let options = ReadOptions { rate_hz: Some(50.0), ..ReadOptions::default() };
 /// let recording = read("a.csv".as_ref(), text.as_bytes(), &options)?;
@@ -258,13 +258,13 @@ pub enum WeightShare {
 pub enum ClockSource {
     /// The sampling rate was given by the user.
     User,
-    /// A time column in seconds, or in a unit that the file gives.
+    /// The sampling rate follows from a time column in seconds, or in a unit that is in the file.
     Times,
-    /// A time column whose unit was assumed.
+    /// The sampling rate follows from a time column whose unit was assumed.
     GuessedTimes,
-    /// The sampling rate in the file.
+    /// The sampling rate was read from the file.
     Header,
-    /// A sampling rate that was determined from the recording.
+    /// The sampling rate was assumed, so that stances have a typical duration.
     GuessedRate,
 }
 
@@ -295,7 +295,7 @@ pub enum UnitSource {
 /// use gaitcam_gait::{Feet, MassSource, ReadOptions, cycle, read, stances};
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
-/// // Over a stride the mean force is the weight: 700 N in this made recording.
+/// // The mean force over a stride is the weight: 700 N in this generated recording.
 /// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
 /// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
 /// assert_eq!(mean.mass_from, MassSource::MeanForce);
@@ -310,9 +310,9 @@ pub enum MassSource {
     User,
     /// The mass is in the file.
     File,
-    /// Mean mass of the subjects in the table of subjects.
+    /// The mass is the mean mass of the subjects in the table of subjects.
     Subjects,
-    /// Mean force over the stride divided by g.
+    /// The mass is the mean force over the stride divided by g.
     MeanForce,
 }
 
@@ -341,9 +341,9 @@ pub enum PeriodSource {
     HeelMarkers,
     /// Twice the mean time from a heel strike to the heel strike of the other foot.
     DoubledSteps,
-    /// A known mass M: the duration T for which the impulse of both feet equals M g T.
+    /// A known mass M. The duration T satisfies the condition that the impulse of both feet equals M g T.
     Impulse,
-    /// A typical duty factor, if the recording contains no stride time.
+    /// A typical duty factor, if the stride time cannot be measured.
     UsualDuty,
     /// Moments at which the total force of both feet rises through its mean.
     TotalForce,
@@ -362,7 +362,7 @@ impl PeriodSource {
 /// use gaitcam_gait::{CycleSource, Feet, ReadOptions, cycle, read, stances};
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
-/// // 10.5 s of strides of 1.05 s: nine of them whole.
+/// // The mean is computed from nine whole strides of 1.05 s in a recording of 10.5 s.
 /// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
 /// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
 /// assert!(matches!(mean.source, CycleSource::WholeStrides { strides: 9, .. }));

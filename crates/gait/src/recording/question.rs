@@ -22,7 +22,7 @@ impl Note {
         notes.iter().filter(opens).cloned().collect()
     }
 
-    /// Keys of the section `gait` that answer the question. The most likely key is the first.
+    /// Scene keys, such as `gait.mass`, that answer the question of the note. The most likely key is the first.
     pub fn settled_by(&self) -> &'static [&'static str] {
         self.question().map_or(&[], |(_, keys)| keys)
     }
@@ -38,7 +38,7 @@ impl Note {
             Note::StrideAssumed { .. } => (Clock, &["gait.mass", "gait.period", "gait.span"]),
             Note::StrideImplausible { .. } => (Clock, &["gait.rate", "gait.kind"]),
             Note::StrideVaries { .. } => (Clock, &["gait.file"]),
-            // With two groups of stances of different speeds, the requested speed is unknown.
+            // If less than two thirds of the stances have a common speed, the speed that the user needs is unknown.
             Note::SpeedChanges { used, stances, .. } if 3 * used < 2 * stances => {
                 (Clock, &["gait.file"])
             }

@@ -13,7 +13,7 @@ use crate::units::{G, LBF};
 ///
 /// let unit: ForceUnit = "kN".parse()?;
 /// assert_eq!(unit.newtons(None), Some(1000.0));
-/// // A body weight is as many newtons as the walker weighs.
+/// // One body weight is the weight of the walker in newtons.
 /// assert_eq!(ForceUnit::BodyWeight.newtons(Some(70.0)), Some(70.0 * 9.81));
 /// assert_eq!(ForceUnit::BodyWeight.newtons(None), None);
 /// # Ok::<(), gaitcam_gait::error::Error>(())

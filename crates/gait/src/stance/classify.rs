@@ -9,26 +9,26 @@ use crate::units::G;
 
 /// Maximum duration of a contact in running, s.
 const LONGEST_RUNNING_S: f64 = 0.5;
-/// Ratio of the duration of a contact to the typical duration, above which the contact includes more than one step.
+/// A contact includes more than one step if its duration exceeds this multiple of the typical duration.
 const LONG: f64 = 1.5;
 /// Value used instead of `LONG` for a contact whose force has more peaks than the force of one foot.
 const LONG_WITH_HUMPS: f64 = 1.15;
 /// Minimum duration of a contact that may include steps of both feet, s.
 const TWO_STEPS_S: f64 = 0.8;
-/// Fraction of the typical duration below which a contact that is cut off by the recording is only a fragment.
+/// An incomplete contact at an end of the recording is a fragment if it is shorter than this fraction of the typical duration.
 const FRAGMENT: f64 = 0.25;
-/// Maximum duration, s, of missing samples in a contact that is not rejected for them.
+/// Maximum duration, s, of missing samples in an accepted contact.
 const BRIDGED_S: f64 = 0.05;
-/// Ratio of the force of a contact to the force on another plate, below which the contact is cross-talk.
+/// A contact is cross-talk if its peak force is below this fraction of the peak force of a simultaneous contact on another plate.
 const CROSS_TALK: f64 = 0.3;
-/// Overlap of two contacts, as a fraction of the shorter contact, above which both contacts belong to the same foot. In walking, both feet
-/// are on the ground only for less than a third of a stance at its start and at its end.
+/// Two contacts on different plates belong to the same foot if they overlap for more than this fraction of the shorter contact. In walking,
+/// both feet are on the ground only for less than a third of a stance at its start and at its end.
 const SHARED: f64 = 0.4;
 /// Maximum total duration of two overlapping contacts that form one stance, s.
 const WHOLE_S: f64 = 0.85;
-/// Number of previous and of following contacts with which a contact is compared.
+/// Number of main contacts before and after a contact from which its typical duration is computed.
 const FELLOWS: usize = 4;
-/// Fraction of the maximum force of the recording above which a contact may be a whole step.
+/// A contact may be a whole step if its peak force exceeds this fraction of the maximum force of the recording.
 const MAIN: f64 = 0.5;
 
 /// Typical durations and forces of the whole contacts of the recording.
@@ -64,7 +64,7 @@ impl Usual {
     }
 
     /// Whether two overlapping contacts are together short enough to be one stance. Their total duration is compared with the typical
-    /// duration of adjacent contacts, or with a fixed limit if there are no adjacent contacts.
+    /// duration of adjacent contacts. Without adjacent contacts, the limit is `WHOLE_S`.
     fn is_one_stance(&self, i: usize, j: usize, together_s: f64) -> bool {
         let others = self.about(i).filter(|(k, _)| *k != i && *k != j);
         let usual = low_median(others.map(|m| m.1).collect());
@@ -99,14 +99,13 @@ fn slow_steps(contacts: &[Contact], top: f64) -> bool {
     (STANDING_S..SLOW_STEP_S).contains(&usual) && count >= 3 && 5 * count >= 4 * long.len()
 }
 
-/// Median; for an even number of values, the lower of the two middle values. If there are only two contacts, the longer contact is
-/// therefore not treated as typical.
+/// Median. For an even number of values, it is the lower of the two middle values. The longer one of two contacts is therefore not typical.
 fn low_median(values: Vec<f64>) -> Option<f64> {
     let rank = values.len().checked_sub(1)? / 2;
     ranked(values, rank)
 }
 
-/// A contact with its index, its shape, and its relation to other plates.
+/// A contact with its index, its force shape, and its relation to the load on other plates.
 pub(super) struct Judged<'a> {
     pub place: usize,
     pub contact: &'a Contact,
@@ -170,7 +169,7 @@ fn too_long(
         return Some(RejectReason::CrossOver);
     }
     let alone = usual.main.len() < 3 && duration > TWO_STEPS_S;
-    // Double support in the middle of the contact, where the force of one foot has its valley.
+    // In the middle of a stance, the force of one foot has its valley. A maximum there means double support.
     if shape.peaks_in_the_middle && duration > TWO_STEPS_S && !usual.slow {
         return Some(RejectReason::CrossOver);
     }
@@ -222,7 +221,7 @@ pub(super) fn beside(contacts: &[Contact], shapes: &[Shape], usual: &Usual) -> V
     found
 }
 
-/// Whether samples are missing inside a contact.
+/// Reason for the rejection of a contact in which more than `BRIDGED_S` is missing; `None` for other contacts.
 pub(super) fn missing(
     contact: &Contact,
     channel: &Channel,

@@ -97,7 +97,7 @@ fn judged(contacts: &[Contact], recording: &Recording) -> Stances {
     out
 }
 
-/// Reason why the whole contacts of a kind of movement are not averaged.
+/// Reason why whole contacts of this kind of movement are not averaged; `None` if they are.
 fn unasked(kind: Kind, recording: &Recording) -> Option<RejectReason> {
     match kind {
         Kind::Walking => None,

@@ -7,11 +7,11 @@ use crate::statistics::median;
 
 /// Maximum relative difference of durations at a constant speed: three standard deviations of steady walking.
 const ONE_SPEED: f64 = 0.1;
-/// Fraction of stances outside the most frequent range of durations, above which the speed is considered to change.
+/// The speed is considered to change if more than this fraction of the stances is outside the most frequent range of durations.
 const OUTSIDE: f64 = 0.15;
 /// Minimum number of stances from which a change of speed is detected.
 const FEWEST: usize = 8;
-/// Function that computes a quantity of a stance; outliers are detected from these quantities.
+/// Function that computes a quantity of a stance from which outliers are detected.
 type Measure = fn(&Stance) -> f64;
 /// Quantities, each with its maximum relative deviation from the median. A stance with a larger deviation is excluded from the mean of one
 /// foot.
@@ -23,7 +23,7 @@ const MEASURES: [(Measure, f64); 3] = [
 /// Minimum number of stances of a channel from which outliers are detected, so that at least three stances agree.
 const COMPARABLE: usize = 4;
 
-/// Number of intervals between heel strikes from whose median the local stride time is computed. A foot that crosses plates affects two
+/// The local stride time is the median of this number of consecutive intervals between heel strikes. A foot that crosses plates affects two
 /// intervals.
 const IN_A_ROW: usize = 5;
 
@@ -67,7 +67,7 @@ pub(super) fn of_one_speed(out: &mut Stances, recording: &Recording) {
     out.notes.extend((!steady).then(changes));
 }
 
-/// Whether all strides have one speed, according to the stride times instead of the durations of the contacts.
+/// Whether nearly all strides have the same speed, according to the stride times instead of the durations of the contacts.
 fn keeps_rhythm(out: &Stances, channels: usize) -> bool {
     let mut strides: Vec<f64> = (0..channels).flat_map(|k| usual_strides(out, k)).collect();
     strides.sort_by(f64::total_cmp);

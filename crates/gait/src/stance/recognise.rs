@@ -28,27 +28,27 @@ const FLIGHT_S: std::ops::Range<f64> = 0.02..0.3;
 const AIRBORNE_S: std::ops::Range<f64> = 0.08..1.0;
 /// Minimum duration of standing before a jump, s.
 const BEFORE_JUMP_S: f64 = 0.8;
-/// Ratio of the peak force after a flight to the median force before the flight, above which the flight is a jump.
+/// A flight is a jump if the peak force after it exceeds this multiple of the median force before it.
 const LANDING: f64 = 1.6;
 /// Maximum time from contact to the impact peak of a landing from a height, s. It is less than the time to push-off in the shortest walking
-/// contact (0.32 s, which is 0.76 of `BRISK_S`). In synthetic landings the time is 0.06 s; measured landings were not available.
+/// contact (0.32 s, which is 0.76 of `BRISK_S`). In synthetic landings, the time is 0.06 s. Measured landings were not available.
 const IMPACT_S: f64 = 0.25;
 /// Ratio of the impact peak to the mean force of the contact, above which the contact is a landing. It is at most 1.67 for fast walking
 /// (1.7 to 2.3 m/s, Pataky et al. 2008), and 2.6 to 3.6 for synthetic landings.
 const DROP: f64 = 1.9;
-/// Fraction of a contact before which the first peak of a landing occurs. In walking, the first peak occurs at a fraction of 0.18 to 0.3.
+/// A first peak before this fraction of the contact indicates a landing. In walking, the fraction is 0.18 to 0.3.
 const EARLY: f64 = 0.155;
-/// Number of contacts up to which no rhythm can be determined.
+/// Maximum number of contacts from which no rhythm can be determined.
 const FEW: usize = 2;
 /// Maximum time between the landings of the two feet in a jump, s.
 const TOGETHER_S: f64 = 0.08;
-/// Fraction of the maximum force of the recording above which a contact is a step.
+/// A contact is a step if its peak force exceeds this fraction of the maximum force of the recording.
 const MAIN: f64 = 0.4;
 /// Maximum coefficient of variation of the total force in quiet standing.
 const QUIET: f64 = 0.12;
-/// Fraction of the weight below which the person is seated.
+/// The person is seated if the force is below this fraction of the weight.
 const SEATED: f64 = 0.6;
-/// Number of times at which the total force is sampled to determine its level.
+/// Number of equally spaced times at which the total force is evaluated to determine its level.
 const LOOKS: usize = 400;
 
 /// Running, jumping or sit-to-stand, if the contacts show such a movement; `None` if the stances must determine the movement.
@@ -92,12 +92,12 @@ pub(super) fn ballistic(
     if runs {
         return Some(Kind::Running);
     }
-    // Few contacts do not show a rhythm: a contact whose force rises immediately is the landing of a jump on one leg.
+    // A few contacts do not show a rhythm. If their force rises immediately, they are landings of a jump on one leg.
     let lands = |(_, s): &(&Contact, &Shape)| s.p1.at < EARLY;
     if main.len() <= FEW && !main.is_empty() && main.iter().all(lands) {
         return Some(Kind::Jumping);
     }
-    // Hops on the spot: as long as steps, but each with a single sharp peak.
+    // Hops on the spot last as long as steps, but each has a single sharp peak.
     (peaked && main.len() >= 2).then_some(Kind::Jumping)
 }
 
@@ -126,7 +126,7 @@ pub(super) fn without_stance(contacts: &[Contact], recording: &Recording) -> Opt
     if steady(&levels) {
         return Some(Kind::Standing);
     }
-    // Two constant levels: seated and standing.
+    // Rising from a seat shows two constant levels: the force when seated and when standing.
     let (low, high) = (at(0.08), at(0.9));
     let near = |x: f64| {
         let close = levels.iter().filter(|l| (*l - x).abs() < 0.15 * high);
@@ -143,7 +143,7 @@ pub(super) fn without_stance(contacts: &[Contact], recording: &Recording) -> Opt
     })
 }
 
-/// Whether a force level is nearly constant.
+/// Whether several levels of force are nearly equal.
 fn steady(levels: &[f64]) -> bool {
     let (mean, deviation) = mean_and_deviation(levels);
     deviation < QUIET * mean
@@ -162,7 +162,7 @@ fn duty(main: &[(&Contact, &Shape)]) -> Option<(f64, f64)> {
         let next = main[i + 1..].iter().find(|(b, _)| b.channel == a.channel);
         if let Some((b, _)) = next {
             let stride = b.start_s - a.start_s;
-            // A pause is not a swing phase.
+            // A longer time between two contacts is a pause, not a swing phase.
             if stride < 3.5 * a.duration_s().max(0.15) {
                 all.push((a.duration_s() / stride, stride));
             }
@@ -201,8 +201,8 @@ fn jumps(contacts: &[Contact], recording: &Recording) -> bool {
     })
 }
 
-/// Whether most contacts with a peak above `least`, N, are landings from a height: the maximum force occurs early and is much larger than
-/// the mean force of a long contact.
+/// Whether most contacts with a peak above `least`, N, are landings from a height. In a landing, the contact is long, and the maximum force
+/// occurs early and is much larger than the mean force.
 fn drops(contacts: &[Contact], shapes: &[Shape], least: f64) -> bool {
     let main: Vec<bool> = contacts
         .iter()
@@ -216,7 +216,7 @@ fn drops(contacts: &[Contact], shapes: &[Shape], least: f64) -> bool {
     2 * main.iter().filter(|lands| **lands).count() > main.len()
 }
 
-/// Whether the left and the right foot land and leave at the same time.
+/// Whether most contacts of the left and the right foot begin and end at the same time.
 fn lands_together(contacts: &[Contact], recording: &Recording) -> bool {
     let of = |foot: Foot| -> Vec<&Contact> {
         let own = |c: &&Contact| recording.channels[c.channel].foot == Some(foot);

@@ -6,7 +6,7 @@ use crate::statistics::ends;
 /// Minimum depth of a valley below the lower peak, as a fraction of the maximum force.
 const VALLEY: f64 = 0.01;
 
-/// Ratio of the force at mid-stance to the force at the quarters of the stance, above which both feet are on the plate.
+/// Both feet are on the plate if the force at mid-stance exceeds the forces at the quarters of the stance by this factor.
 const DOUBLE_SUPPORT: f64 = 1.12;
 
 /// Peaks, valley and impulse of a stance.
@@ -93,8 +93,8 @@ fn middle_of_impulse(samples: &[f64], half: f64) -> f64 {
 
 /// Vertex of the parabola through a sample and the samples before and after it: force, N, and shift from the sample, in samples.
 ///
-/// If the sample is not an extremum, it is itself the result. The force exceeds the sample at most by the noise, because the vertex would
-/// be much too high at a steep flank.
+/// If the sample is not an extremum, the sample itself is returned. At a steep flank, the vertex would be much too high. The force
+/// therefore exceeds the sample at most by the noise.
 fn vertex(samples: &[f64], i: usize, noise_n: f64) -> (f64, f64) {
     let around = i.checked_sub(1).and_then(|j| samples.get(j..j + 3));
     let Some(&[a, y, b]) = around else {

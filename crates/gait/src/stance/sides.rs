@@ -82,12 +82,12 @@ pub(crate) fn footfalls(recording: &Recording, stances: &Stances) -> Vec<Footfal
     falls
 }
 
-/// Ratio of a pause in one column to the duration of a running stance, below which the next contact is that of the other foot.
+/// In running, the next contact in a column belongs to the other foot if the pause is shorter than this fraction of the stance.
 const ALTERNATE: f64 = 0.9;
 
 /// Whether two consecutive stances belong to the same foot; `None` if this is unknown.
 ///
-/// In walking, the other foot lands before the first foot leaves the ground; the same foot lands again only after its swing phase. In
+/// In walking, the other foot lands before the first foot leaves the ground. The same foot lands again only after its swing phase. In
 /// running (`runs`), a flight phase precedes the contact of the other foot. The pause before the next contact of the same foot is more than
 /// twice as long.
 pub(crate) fn same_foot(a: &Footfall, b: &Footfall, runs: bool) -> Option<bool> {

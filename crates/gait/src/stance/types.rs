@@ -11,7 +11,7 @@ use crate::recording::{Foot, Kind, Note};
 /// use gaitcam_gait::{ReadOptions, read, stances};
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
-/// // The peaks of a walking stance: loading in its first half, push-off in its second.
+/// // A walking stance has a loading peak in its first half and a push-off peak in its second half.
 /// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
 /// let stance = &stances(&recording).used[0];
 /// let (loading, push_off) = (stance.first_peak().unwrap(), stance.second_peak().unwrap());
@@ -36,7 +36,7 @@ const LATE: f64 = 0.6;
 /// use gaitcam_gait::{ReadOptions, read, stances};
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
-/// // Made stances last 1/(0.76·1.9) s.
+/// // The generated stances last 1/(0.76·1.9) s.
 /// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
 /// for stance in stances(&recording).used {
 ///     assert!((stance.duration_s() - 1.0 / (0.76 * 1.9)).abs() < 0.01);
@@ -53,7 +53,7 @@ pub struct Stance {
     pub start_s: f64,
     /// Time of the toe-off, s from the first sample.
     pub end_s: f64,
-    /// Loading peak. If the stance has only one peak, this peak.
+    /// Loading peak. In a stance with only one peak, it is this peak.
     pub p1: Point,
     /// Valley at mid-stance, if the stance has two peaks.
     pub valley: Option<Point>,
@@ -125,15 +125,15 @@ pub enum RejectReason {
     MissingSamples,
     /// The contact is too short for a step.
     TooShort,
-    /// The contact is a contact of running.
+    /// The contact belongs to running, which was not requested.
     Running,
-    /// The contact is a take-off or landing of both feet.
+    /// The contact belongs to jumping: it is a take-off or landing of both feet.
     Jumping,
     /// The contact is cross-talk from the force of a foot on another plate.
     CrossTalk,
     /// The stance is whole, but its speed differs from that of most stances.
     OtherSpeed,
-    /// The contact is too long for a step.
+    /// The contact is too long for a step, or the movement is not walking, running or jumping.
     Standing,
     /// The contact is longer than other contacts, because the other foot stepped onto the same plate.
     CrossOver,
@@ -151,7 +151,7 @@ pub enum RejectReason {
 /// use gaitcam_gait::{ReadOptions, read, stances};
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
-/// // The last contact is cut by the end of the recording.
+/// // The recording ends during the last contact.
 /// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
 /// let cut = stances(&recording).rejected.last().unwrap().clone();
 /// assert!((cut.to_s - recording.duration_s).abs() < 1e-9);

@@ -1,19 +1,20 @@
 //! Clipping: the amplifier or converter is limited to a level below the peaks of the force.
 //!
-//! After noise, gain, resampling and removal of drift, clipping appears as many readings at one level, none above it, and few just below it.
+//! After noise, gain, resampling and removal of drift, clipping appears as many readings at one level, none above it, and few just below
+//! it.
 
 use super::crowd;
 use crate::statistics::median;
 
-/// Fraction of the maximum reading above which readings are examined.
+/// Readings above this fraction of the maximum reading are examined.
 const UPPER: f64 = 0.6;
 /// Half width of the band that counts as one level: as a fraction of the maximum reading, and in standard deviations of the noise.
 const WIDTH: (f64, f64) = (0.004, 2.5);
 /// Maximum number of readings above the level, as a fraction of the number of readings at the level.
 const ABOVE: f64 = 0.03;
 /// Minimum ratio of the number of readings at the level to the number just below it, in bands of equal width. The first value is for three
-/// or more contacts: a parabola has a ratio of 2.4, and synthetic walkers, runners and jumpers have less than 3.3. The second value is for
-/// one or two contacts, because a flat peak has a larger ratio: 5.3 for a decrease with the fourth power of time.
+/// or more contacts. The ratio is 2.4 for a parabola and less than 3.3 for synthetic walkers, runners and jumpers. The second value is for
+/// one or two contacts, because a flat peak has a larger ratio. It is 5.3 for a decrease with the fourth power of time.
 const CROWDED: (f64, f64) = (3.5, 6.0);
 /// Minimum number of readings at the level that means clipping.
 const FEWEST: usize = 8;
@@ -26,8 +27,8 @@ pub(super) fn clipped(force: &[f64], rate_hz: f64, unloaded_n: f64) -> Option<f6
     let top = force.iter().copied().fold(0.0, f64::max);
     let noise = unloaded_n.max(noise(force, UPPER * top));
     let half = (WIDTH.0 * top).max(WIDTH.1 * noise);
-    // If the level is just below the peaks, many readings are within this width below it. Without later processing the level is exact, so a narrow
-    // width is tried too.
+    // If the level is just below the peaks, many readings are within this width below it. Without later processing, all clipped readings
+    // are exactly at the level, so a narrow width is examined as well.
     [half, 0.5 * resolution(force, UPPER * top)]
         .into_iter()
         .filter(|half| half.is_finite())
@@ -49,7 +50,7 @@ fn stops_at(force: &[f64], rate_hz: f64, top: f64, half: f64) -> Option<f64> {
     (stops && at >= FEWEST && held_s > HELD_S).then_some(level)
 }
 
-/// Minimum difference, N, between two unequal readings above a level: the resolution of the converter.
+/// Resolution of the converter, N: the minimum difference between two unequal readings above the level `least`.
 fn resolution(force: &[f64], least: f64) -> f64 {
     let mut upper: Vec<f64> = force.iter().copied().filter(|x| *x > least).collect();
     upper.sort_unstable_by(f64::total_cmp);
@@ -60,8 +61,8 @@ fn resolution(force: &[f64], least: f64) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Standard deviation of white noise, N, in readings above a level. It is computed from second differences, in which the contribution of the force is
-/// small.
+/// Standard deviation of white noise, N, in readings above a level. It is computed from second differences, in which the contribution of
+/// the force is small.
 fn noise(force: &[f64], least: f64) -> f64 {
     let upper = force.windows(3).filter(|w| w.iter().all(|x| *x > least));
     let bends = upper.map(|w| (w[0] - 2.0 * w[1] + w[2]).abs());

@@ -10,7 +10,7 @@ const FEWEST: usize = 4;
 /// Maximum deviation of the unloaded level from a straight line, N.
 const STRAIGHT_N: f64 = 6.0;
 
-/// Total change, N, below which the drift is not removed but treated as part of the baseline.
+/// A drift with a smaller total change, N, is not removed but treated as part of the baseline.
 pub(super) const SMALLEST_N: f64 = 15.0;
 
 /// Slope of the unloaded level, N per sample, for readings of either sign; 0 without a steady drift.
@@ -29,7 +29,7 @@ pub(super) fn drift(force: &[f64], rate_hz: f64) -> f64 {
     let Some((sign, slope)) = found else {
         return 0.0;
     };
-    // A steep drift changes the percentile within a window.
+    // A steep drift changes the percentile within a window. The slope is therefore computed again after its removal.
     let steep = (slope * force.len() as f64).abs() > SMALLEST_N;
     let rest = if steep { of(sign, slope) } else { None };
     slope + rest.unwrap_or(0.0)

@@ -1,26 +1,27 @@
-//! Missing samples. Between contacts, missing samples mean an unloaded plate; elsewhere they are interpolated.
+//! Missing samples. Between contacts, missing samples mean an unloaded plate. Elsewhere, they are interpolated.
 //!
 //! Two kinds of readings also count as missing. A spike consists of one or a few samples that differ strongly from the samples before and
 //! after it. Zeros in the middle of a load are lost packets.
 
 use std::ops::Range;
 
-/// Minimum duration of a run of missing samples that means an unloaded plate, s. A swing phase is not shorter.
+/// Minimum duration, s, of a run of missing samples on an unloaded plate. A swing phase is not shorter.
 const UNLOADED_S: f64 = 0.1;
-/// Maximum reading next to a run of missing samples that means an unloaded plate, as a fraction of the maximum reading of the recording.
+/// Maximum reading next to a run of missing samples on an unloaded plate, as a fraction of the maximum reading of the recording.
 const LOW: f64 = 0.3;
 /// Time before or after a run of missing samples, s, and change of the force, N. A larger change within this time means a toe-off or heel
 /// strike.
 const EDGE: (f64, f64) = (0.015, 10.0);
 
-/// Minimum sampling rate, Hz, at which a sample must be similar to one of the adjacent samples, because an impact lasts 10 ms or more.
+/// Minimum sampling rate for the detection of spikes, Hz. At this rate, every sample is similar to an adjacent sample, because an impact
+/// lasts 10 ms or more.
 const DENSE_HZ: f64 = 180.0;
-/// Minimum difference between a spike and the samples on both sides: as a fraction of the maximum level that lasts longer than a spike, and
-/// in N.
+/// Minimum difference between a spike and the samples on both sides. It is given as a fraction of the maximum level that lasts longer than
+/// a spike, and in N.
 const SPIKE: (f64, f64) = (0.5, 100.0);
 /// Maximum duration of a spike, s, and maximum number of its samples. At a low sampling rate, a spike is a single sample.
 const LASTS: (f64, usize) = (0.0061, 6);
-/// Maximum fraction of the samples that are spikes; a larger fraction is treated as noise.
+/// Maximum fraction of the samples that are spikes. A larger fraction is treated as noise.
 const RARE: f64 = 0.005;
 
 /// Maximum duration, s, of zeros between loaded readings that cannot be a swing phase, and minimum sampling rate, Hz, at which they are
@@ -40,8 +41,8 @@ pub(super) struct Filled {
     pub drop_outs: Option<(usize, usize)>,
 }
 
-/// Fills missing samples: with zero where the plate is unloaded, otherwise by linear interpolation. At the ends of the recording, the
-/// nearest value is repeated.
+/// Marks spikes and lost packets as missing, and fills all missing samples: with zero where the plate is unloaded, otherwise by linear
+/// interpolation. At the ends of the recording, the nearest value is repeated.
 pub(super) fn fill(force: &mut [f64], rate_hz: f64) -> Filled {
     let spikes = remove_spikes(force, rate_hz);
     let reach = force.iter().copied().filter(|x| x.is_finite());
@@ -68,8 +69,8 @@ pub(super) fn fill(force: &mut [f64], rate_hz: f64) -> Filled {
     filled
 }
 
-/// Whether the plate is unloaded during a run: a foot leaves it before the run and lands after it. At an end of the recording, this
-/// condition is omitted.
+/// Whether the plate is unloaded during a run of missing samples. In this case, a foot leaves the plate before the run, and a foot lands
+/// after it. At an end of the recording, the condition for this side of the run is omitted.
 fn is_unloaded(force: &[f64], run: &Range<usize>, reach: f64, rate_hz: f64) -> bool {
     let apart = ((EDGE.0 * rate_hz).round() as usize).max(1);
     let is_edge = |near: usize, far: Option<usize>| {

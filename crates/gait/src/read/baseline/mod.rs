@@ -11,27 +11,28 @@ use clipped::clipped;
 use drift::{SMALLEST_N, drift};
 use missing::fill;
 
-/// Difference between maximum and minimum reading, N, below which a channel is nearly constant.
+/// A channel is nearly constant if its maximum and minimum readings differ by less than this value, N.
 const TOUCHED_N: f64 = 30.0;
 
-/// Duration of a recording, s, below which a nearly constant reading may be a load.
+/// In a recording shorter than this duration, s, a nearly constant reading may be a load.
 const STEP_S: f64 = 0.4;
 
-/// Fraction of the maximum reading above which a level is a load.
+/// A level above this fraction of the maximum reading is a load.
 const LOADED: f64 = 0.15;
 
 /// Factor by which the number of readings may increase if the unloaded band is twice as wide. Above this factor, the band is too narrow.
 const BROAD: f64 = 1.2;
 
-/// Constants for a span that shows the unloaded level: minimum duration, s; duration of each end that is omitted, s; minimum difference, N,
-/// between its mean and the most frequent level.
+/// Constants for a span with a nearly constant reading, from which the unloaded level is computed. The first two are its minimum duration,
+/// s, and the duration of each end that is omitted, s. The third is the minimum difference, N, between its mean and the most frequent
+/// level.
 const REST: (f64, f64, f64) = (0.2, 0.05, 1.0);
 
-/// Constants for the unloaded level at the ends of a recording: duration of each end, s; minimum difference, N, from the unloaded level
-/// during the walk, for which a note is added.
+/// Duration of each end of a recording that is examined, s, and a difference of levels, N. If the unloaded level during the walk exceeds
+/// the level at the ends by more than this difference, a note is added.
 const ENDS: (f64, f64) = (0.2, 8.0);
 
-/// Maximum number of readings from which baseline and sign are determined; longer recordings are thinned evenly.
+/// Maximum number of readings from which baseline and sign are determined. Longer recordings are thinned evenly.
 const SAMPLE: usize = 1 << 15;
 
 /// Maximum number of readings that are examined for clipping, and the sampling rate, Hz, to which faster readings are thinned.
@@ -220,7 +221,7 @@ fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
         return None;
     }
     if level.abs() > (0.1 * range).max(30.0) {
-        // The level is a load, not an offset, if it is far above zero, or if readings are below it after the foot leaves the plate.
+        // The level is a load, not an offset, if it is far above zero, or if readings are clearly below it when the plate is unloaded.
         let below = thin.iter().filter(|x| **x < level - band).count();
         if level > LOADED * high || level > 0.0 && 200 * below > thin.len() {
             return None;
@@ -230,7 +231,8 @@ fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
             return None;
         }
     }
-    // Mains hum is wider than the band and most frequent at its ends: the level is the median of its readings.
+    // Mains hum is wider than the band, and its most frequent readings are at the ends of the band. The level is then the median of the
+    // readings in the band.
     let near = thin.iter().copied().filter(|x| (x - level).abs() <= band);
     let near: Vec<f64> = near.collect();
     let level = match median(near.clone()) {
@@ -247,8 +249,8 @@ fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
     Some((level, 1.4826 * ranked(off, middle)?))
 }
 
-/// Mean reading, N, of all spans that stay near a level for at least a fifth of a second; `None` if there is no such span. The ends of the
-/// spans, where a foot lands or leaves, are omitted.
+/// Mean reading, N, of all spans in which the reading stays near a level; `None` if there is no such span. The first and the last 0.05 s of
+/// a span, in which a foot lands or leaves, are omitted. At least 0.2 s must remain.
 fn resting_level(force: &[f64], level: f64, band: f64, rate_hz: f64) -> Option<f64> {
     let edge = (REST.1 * rate_hz) as usize;
     let spans = force.chunk_by(|a, b| (a - level).abs() <= band && (b - level).abs() <= band);
@@ -260,7 +262,7 @@ fn resting_level(force: &[f64], level: f64, band: f64, rate_hz: f64) -> Option<f
     (!quiet.is_empty()).then(|| mean_and_deviation(&quiet).0)
 }
 
-/// Mean level and standard deviation, N, of samples that should be unloaded; `None` if the samples vary.
+/// Mean level and standard deviation, N, of samples that should be unloaded. `None` if the samples vary or their mean is 100 N or more.
 fn quiet(force: &[f64]) -> Option<(f64, f64)> {
     let (mean, deviation) = mean_and_deviation(force);
     (force.len() >= 2 && deviation < 5.0 && mean.abs() < 100.0).then_some((mean, deviation))

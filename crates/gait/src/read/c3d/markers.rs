@@ -36,7 +36,8 @@ pub(super) fn heels(analog: &Analog, parameters: &Parameters) -> Option<[Vec<[f6
     Some(places.map(path))
 }
 
-/// Foot whose heel a label denotes: `LHEE`, `R_Heel`, `subject:LeftHeel`, `Heel.R`.
+/// Foot to which a heel label belongs; `None` for other labels. Examples of heel labels are `LHEE`, `R_Heel`, `subject:LeftHeel` and
+/// `Heel.R`.
 fn heel(label: &str) -> Option<Foot> {
     let own = label.rsplit(':').next().unwrap_or(label);
     let name: String = own.chars().filter(char::is_ascii_alphanumeric).collect();

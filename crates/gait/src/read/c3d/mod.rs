@@ -1,7 +1,7 @@
 //! C3D files: force plates of a motion-capture recording.
 //!
-//! Damaged files are common, so every offset and count is checked against the length of the file before it is used. Only the channels of the plates
-//! are read. Format: the C3D user guide (c3d.org), with 512-byte blocks of header, parameters and data.
+//! Damaged files are common, so every offset and count is checked against the length of the file before it is used. Only the channels of
+//! the plates are read. Format: the C3D user guide (c3d.org), with 512-byte blocks of header, parameters and data.
 
 mod markers;
 mod parameters;
@@ -68,7 +68,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
     Ok(recording)
 }
 
-/// Samples of the frames marked as unloaded by FORCE_PLATFORM:ZERO.
+/// Range of samples (first, one past the last) that the parameter FORCE_PLATFORM:ZERO marks as unloaded.
 fn zero_range(parameters: &Parameters, analog: &Analog) -> Option<(usize, usize)> {
     let zero = parameters.numbers("FORCE_PLATFORM", "ZERO");
     let [from, to] = zero.get(..2)? else {

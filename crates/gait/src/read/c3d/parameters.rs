@@ -2,10 +2,10 @@
 
 use crate::recording::Processor;
 
-/// Maximum number of values that are read of one parameter; real files contain a few hundred.
+/// Maximum number of values that are read of one parameter. Real files contain a few hundred.
 const MOST_VALUES: usize = 1 << 16;
 
-/// Parameter: group number, name and position of its values.
+/// One parameter: group number, name, dimensions and bytes of its values.
 #[derive(Debug, Clone)]
 struct Parameter<'a> {
     group: i8,
@@ -142,7 +142,7 @@ impl<'a> Parameters<'a> {
         read(name).into_iter().chain(more).collect()
     }
 
-    /// All numeric parameters, in any group, with a matching name.
+    /// All numeric parameters, in any group, whose name satisfies the condition `fits`.
     pub fn named<'s>(
         &'s self,
         fits: impl Fn(&str) -> bool + 's,

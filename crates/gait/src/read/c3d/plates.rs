@@ -9,13 +9,14 @@ use crate::read::columns::{Role, role};
 use crate::read::vertical::RawForce;
 use crate::recording::{Axis, Note, ReadOptions};
 
-/// Channels of a plate, each with its factor in the sum that gives the vertical force.
+/// Channels of a plate with their factors. The vertical force is the sum of the products of channel and factor.
 type Weights = Vec<(usize, f64)>;
 
-/// Maximum number of plates that are read; laboratories have up to a dozen.
+/// Maximum number of plates that are read. Laboratories have up to a dozen.
 const MOST_PLATES: usize = 64;
 
-/// Raw vertical force of every plate. Without plates, the force of every channel whose label denotes a force.
+/// Raw vertical forces: of the channels named by the user, otherwise of every plate. Without plates, the channels whose labels denote a
+/// force are used.
 pub(super) fn forces(
     path: &Path,
     analog: &Analog,
@@ -37,7 +38,7 @@ pub(super) fn forces(
         .max(0.0) as usize;
     let mut raw = Vec::new();
     let (mut unknown, mut uncalibrated) = (None, None);
-    // Every plate requires channels of its own, so their number is limited by the file.
+    // Every plate requires channels of its own, so the number of channels limits the number of plates.
     for plate in 0..used.min(MOST_PLATES).min(analog.channels) {
         match weights(plate, analog, parameters) {
             Ok(weights) => raw.push(channels.column(
@@ -56,7 +57,7 @@ pub(super) fn forces(
         }
     }
     tilted(parameters, used, notes);
-    // The type, not the name, determines whether a channel of a plate is a force.
+    // If a plate has an unsupported type, the labels do not show which of its channels are forces.
     if raw.is_empty() && unknown.is_none() {
         raw = channels.labelled_force();
         // Without the required matrix, channels of a plate are forces only if their unit is a unit of force.
@@ -168,10 +169,9 @@ fn plate_name(plate: usize, weights: &Weights, labels: &[String]) -> String {
 /// - Types 1 and 2: the third channel.
 /// - Type 3: the sum of the four vertical sensors.
 /// - Types 4 (six channels) and 5 (eight channels): the third row of the calibration matrix.
-/// - Types 6 (twelve channels) and 7 (eight channels): the sum of the rows of the matrix that belong to the vertical sensors of the four
-///   corners.
+/// - Types 6 (twelve channels) and 7 (eight channels): the sum of the matrix rows of the vertical sensors in the four corners.
 ///
-/// Without a matrix in the file, the channels are already forces.
+/// Types 4 and 5 require a matrix. For types 6 and 7 without a matrix in the file, the channels are already forces.
 fn weights(
     plate: usize,
     analog: &Analog,
@@ -219,8 +219,8 @@ fn weights(
     }
 }
 
-/// Sum of some rows of the calibration matrix of a plate, one value for each of `columns` channels. `None` if the file has no such matrix,
-/// or if it contains only zeros.
+/// Sum of the given rows of the calibration matrix of a plate, one value for each of `columns` channels. `None` if the file has no such
+/// matrix, or if all sums are zero.
 fn matrix_sums(
     plate: usize,
     columns: usize,

@@ -146,7 +146,7 @@ impl<'a> Analog<'a> {
 
 /// Number of analog values in one frame, for all channels together, and number of samples of one channel in a frame.
 ///
-/// Some programs write the number of channels instead of the number of values.
+/// Some programs write the number of channels instead of the number of values in the header.
 fn values_per_frame(
     path: &Path,
     values: usize,
@@ -187,7 +187,7 @@ fn start_of_data(in_header: usize, parameters: &Parameters) -> usize {
     block.saturating_sub(1) * BLOCK
 }
 
-/// Announced number of frames; `None` if it exceeds 16 bits and no parameter contains it.
+/// Number of frames announced in the header or the parameters. `None` if the number exceeds 16 bits and no parameter contains it.
 fn announced_frames(first: usize, last: usize, parameters: &Parameters) -> Option<usize> {
     let field = |name| {
         let words = parameters.numbers("TRIAL", name);

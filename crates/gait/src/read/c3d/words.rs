@@ -3,7 +3,7 @@
 use crate::recording::Processor;
 
 impl Processor {
-    /// Number format, from the fourth byte of the parameter section.
+    /// Number format, from the fourth byte of the parameter section; `None` for an invalid value.
     pub(super) fn of(bytes: &[u8], parameters: usize) -> Option<Self> {
         match bytes.get(parameters + 3)? {
             84 => Some(Processor::Intel),

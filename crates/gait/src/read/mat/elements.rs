@@ -1,7 +1,7 @@
 //! Arrays of a MAT file of level 5 (MATLAB 5.0 to 7.2, `save -v7`).
 //!
-//! Format: "MAT-File Format" (The MathWorks), level 5. After a header of 128 bytes, each data element consists of a tag and its data, which may be
-//! compressed. Every count is checked against the length of the file before it is used.
+//! Format: "MAT-File Format" (The MathWorks), level 5. After a header of 128 bytes, each data element consists of a tag and its data, which
+//! may be compressed. Every count is checked against the length of the file before it is used.
 
 use miniz_oxide::inflate::TINFLStatus;
 use miniz_oxide::inflate::core::inflate_flags as flags;
@@ -40,7 +40,8 @@ pub(super) enum Content {
 /// An array, with the names of the structs that contain it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Array {
-    /// Names from the variable to the field. In an array of structs, the number of the struct, counted from 1, follows the name.
+    /// Names of the variable, of the structs and of the field. In an array of structs or a cell array, the index of the element, counted
+    /// from 1, follows the name.
     pub path: Vec<String>,
     pub content: Content,
 }
@@ -99,7 +100,7 @@ pub(super) fn arrays(bytes: &[u8]) -> Vec<Array> {
     found
 }
 
-/// Decompressed content of a zlib stream, up to the maximum size. If the stream is damaged, only the content before the damage is returned.
+/// Decompressed content of a zlib stream, up to `LARGEST` bytes. If the stream is damaged, only the content before the damage is returned.
 fn inflate(data: &[u8]) -> Vec<u8> {
     let options =
         flags::TINFL_FLAG_PARSE_ZLIB_HEADER | flags::TINFL_FLAG_USING_NON_WRAPPING_OUTPUT_BUF;
@@ -212,7 +213,7 @@ fn matrix(
                         bytes: field.1,
                         big,
                     };
-                    // A field without content is empty; the following fields are still read.
+                    // A field without content is ignored, and the following fields are still read.
                     let _ = matrix(inner, &place, Some(name.clone()), depth + 1, found);
                 }
             }

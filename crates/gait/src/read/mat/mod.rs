@@ -1,7 +1,7 @@
 //! MAT files of MATLAB: numeric arrays and structs that contain a force, and a time or a sampling rate.
 //!
-//! A vector is one column. A matrix has one column (or row) for each series. The names of these series are a list of labels in the same
-//! struct, the components of a vector, or numbers. The table consists of all series that are as long as the longest force series.
+//! A vector is one column. A matrix has one column (or row) for each series. The series are named by a list of labels in the same struct,
+//! as components of a vector, or by numbers. The table consists of all series that are as long as the longest force series.
 
 mod elements;
 
@@ -37,7 +37,7 @@ struct Series<'a> {
     values: Vec<f64>,
 }
 
-/// Selected columns of a MAT file with their names and samples, and the scalars of the file in the form of header lines.
+/// Selected columns of a MAT file with their names and samples. The scalars of the file are stored as header lines.
 pub(super) struct Mat {
     pub table: Table,
     pub samples: Samples,
@@ -93,7 +93,7 @@ pub(super) fn table(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<
         true => by_numbers(&series),
         false => None,
     };
-    // The table of a MAT file has no lines.
+    // A MAT file has no lines, so the location of an error is the whole file.
     let chosen = choose(&without_text(path, options), &table)
         .map_err(|fault| fault.placed(Place::File(path.to_path_buf())))?;
     let columns = numbered.or(chosen).ok_or_else(without_force)?;
@@ -134,7 +134,7 @@ fn length(series: &[Series], options: &ReadOptions) -> Option<usize> {
     of_force.or_else(|| series.iter().map(length).max())
 }
 
-/// Series of an array. A vector is one series. In a matrix, the shorter dimension is the number of series.
+/// Series of an array. A vector is one series. The shorter dimension of a matrix is its number of series.
 fn series<'a>(array: &'a Array, all: &[Array]) -> Vec<Series<'a>> {
     let Content::Numbers { rows, values, .. } = &array.content else {
         return Vec::new();
@@ -173,7 +173,7 @@ fn series<'a>(array: &'a Array, all: &[Array]) -> Vec<Series<'a>> {
     (0..count).map(one).collect()
 }
 
-/// Names of the series of a matrix: a list of texts in the same struct, with as many texts as series.
+/// Names of the series of a matrix. They are a list of texts in the same struct, with one text per series; `None` without such a list.
 fn labels(array: &Array, all: &[Array], count: usize) -> Option<Vec<String>> {
     let list = |other: &Array| match &other.content {
         Content::Texts(texts) if count > 1 && texts.len() == count => Some(texts.clone()),
@@ -183,7 +183,7 @@ fn labels(array: &Array, all: &[Array], count: usize) -> Option<Vec<String>> {
     beside.filter_map(list).next()
 }
 
-/// Scalars of the file in the form of header lines. The scalars of the struct that contains the force come first.
+/// Scalars of the file as header lines `name = value`. The scalars of the struct that contains the force are the first.
 fn head(arrays: &[Array], owner: &[String]) -> Vec<String> {
     let shared = |a: &&Array| {
         let pairs = a.owner().iter().zip(owner);
@@ -191,7 +191,7 @@ fn head(arrays: &[Array], owner: &[String]) -> Vec<String> {
     };
     let mut scalars: Vec<(&Array, f64)> = arrays.iter().filter_map(scalar).collect();
     scalars.sort_by_key(|(array, _)| std::cmp::Reverse(shared(array)));
-    // Cells have numbers as names; the variable that contains them has a proper name.
+    // The elements of a cell array have numbers as names. The name of the variable that contains them is used instead.
     let is_name = |part: &&String| part.parse::<usize>().is_err();
     let line = |(array, x): (&Array, f64)| {
         let name = array.path.iter().rev().find(is_name);

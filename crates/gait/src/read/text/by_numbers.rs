@@ -6,11 +6,11 @@ use crate::statistics::sample;
 /// Number of evenly distributed rows from which the columns are classified.
 const SAMPLE: usize = 4096;
 
-/// Number of columns above which unnamed columns are pressure sensors, not plates (twelve plates with six values each).
+/// Maximum number of unnamed columns of plates: twelve plates with six values each. More columns are pressure sensors.
 const MOST_VALUES: usize = 72;
 
-/// Feet of the two force columns (left, right), if the columns are those of insoles: the time, two sets with the same number of sensors,
-/// and the sum of each set. Otherwise `None`.
+/// Feet of the two force columns (left, right), if the table has the columns of insoles. These are the time, two sets with the same number
+/// of sensors, and the sum of each set. Otherwise `None`.
 ///
 /// The insole recordings of PhysioNet have this layout, with the left foot first.
 pub(super) fn insole_sides(
@@ -26,7 +26,7 @@ pub(super) fn insole_sides(
     is_layout.then_some([Foot::Left, Foot::Right])
 }
 
-/// Index of the time column. It is the first column, if at least 95 % of its steps do not decrease and at least 10 % increase.
+/// Index of the time column. The first column is the time if at least 95 % of its steps do not decrease and at least 10 % increase.
 pub(super) fn time_column(columns: &[Vec<f64>]) -> Option<usize> {
     let several = columns.len() >= 2;
     let t = columns.first().filter(|t| several && t.len() >= 2)?;
@@ -44,9 +44,10 @@ pub(super) fn counts_samples(times: &[f64]) -> bool {
 /// Columns that contain a vertical force. The first rule that applies is used:
 ///
 /// 1. Columns that are the sum of a block of other columns (sums of the sensors of insoles).
-/// 2. If the number of columns is a multiple of six (Fx Fy Fz Mx My Mz of each plate): the force component with the maximum load, on each
+/// 2. If the number of columns is a multiple of six (Fx Fy Fz Mx My Mz of each plate), the force component with the maximum load, for each
 ///    plate.
-/// 3. Columns with a constant sign whose maximum is more than two fifths of the overall maximum.
+/// 3. Columns whose readings have one sign in more than 90 % of the sum of magnitudes. Their maximum must exceed two fifths of the overall
+///    maximum.
 pub(super) fn force_columns(columns: &[Vec<f64>], time: Option<usize>) -> Vec<usize> {
     let data: Vec<usize> = (0..columns.len()).filter(|&i| Some(i) != time).collect();
     if data.len() > MOST_VALUES {
@@ -87,13 +88,13 @@ pub(super) fn force_columns(columns: &[Vec<f64>], time: Option<usize>) -> Vec<us
         .collect()
 }
 
-/// Columns that are, in nearly every row, the sum of at least three adjacent columns.
+/// Columns that are, in nearly every row, the sum of at least three adjacent columns before them.
 fn totals(columns: &[Vec<f64>], data: &[usize]) -> Vec<usize> {
     let samples = columns.first().map_or(0, Vec::len);
     if data.len() < 4 || data.len() > 64 || samples == 0 {
         return Vec::new();
     }
-    // A hundred loaded rows are sufficient.
+    // About a hundred evenly distributed rows are sufficient.
     let rows: Vec<usize> = (0..samples).step_by(samples / 100 + 1).collect();
     let is_sum = |total: usize, block: &[usize]| {
         let agrees = |&&r: &&usize| {

@@ -19,7 +19,7 @@ const MOST_FORCES: usize = 1000;
 /// Minimum number of rows of a recording without column names.
 const FEWEST: usize = 10;
 
-/// Number of columns above which a table without names is not a force recording.
+/// Maximum number of columns that are read from a table without names. Force recordings have fewer columns.
 const WIDEST: usize = 400;
 
 /// Selected columns of a table, and their interpretation.
@@ -28,7 +28,7 @@ pub(in crate::read) struct Columns {
     pub time: Option<usize>,
     /// Whether the time column contains sample numbers or phases instead of seconds.
     pub counts: bool,
-    /// If the time column is a phase: whether it is the phase of a stance (`true`) or of a cycle (`false`).
+    /// Whether the time column contains the phase of a stance (`true`) or of a cycle (`false`); `None` if it contains no phase.
     pub phase_of_stance: Option<bool>,
     pub force: Vec<ForceColumn>,
     /// Whether the forces are those of pressure insoles, if known.
@@ -70,7 +70,7 @@ pub(in crate::read) fn choose(file: &TextFile, table: &Table) -> Result<Option<C
         return Err(ReadError::ManyForces { found }.at_line(file.path, table.header_line()));
     }
     leave_zones(table, force);
-    // A plate has components and no foot; an insole has the total force of a foot.
+    // A column of a plate has a component and no foot. A column of an insole has a foot and contains the total force.
     let is_plate = |f: &ForceColumn| f.axis != Axis::Vertical && f.foot.is_none();
     let has_plate = force.iter().any(is_plate);
     let of_insole = |f: &ForceColumn| {
@@ -201,8 +201,8 @@ pub(in crate::read) fn columns_by_numbers(
     })
 }
 
-/// Columns whose names denote a force. Without such a column: columns with a unit of force. Without these: two columns named left and
-/// right.
+/// Columns whose names denote a force. If there are none, columns with a unit of force are used, and then two columns with the names left
+/// and right.
 fn recognised(table: &Table, roles: &[Role]) -> Vec<ForceColumn> {
     let named = roles.iter().enumerate().filter_map(|(place, r)| match *r {
         Role::Force { axis, foot } => Some(ForceColumn { place, axis, foot }),
@@ -261,7 +261,7 @@ fn leave_foreign_units(file: &TextFile, table: &Table, force: &mut Vec<ForceColu
     Ok(())
 }
 
-/// Columns with a unit of force whose names have no known meaning.
+/// Columns in newtons, body weights or percent of the body weight whose names have no known meaning.
 fn columns_in_newtons(table: &Table, roles: &[Role]) -> Vec<ForceColumn> {
     let unnamed = (0..table.names.len()).filter(|&i| roles[i] == Role::Other);
     let newtons = unnamed.filter(|&i| is_newtons(table, i));
@@ -278,7 +278,7 @@ fn is_newtons(table: &Table, i: usize) -> bool {
     is_force && !words(&table.names[i]).iter().any(is_other)
 }
 
-/// Two columns whose names are only left and right: two insoles or belts.
+/// Two columns with exactly the names left and right, such as two insoles or belts; empty if one of them is missing.
 fn named_by_side(table: &Table) -> Vec<ForceColumn> {
     let places = ["left", "right"].map(|side| {
         let place = table.names.iter().position(|n| words(n) == [side]);
@@ -290,8 +290,8 @@ fn named_by_side(table: &Table) -> Vec<ForceColumn> {
     }
 }
 
-/// Index of the column with a given name (upper and lower case are equal) or number, counted from 1. Without a header, only a number is
-/// possible.
+/// Index of the column with a given name, regardless of upper and lower case, or with a given number, counted from 1. Without a header,
+/// only a number is possible.
 pub(super) fn column(path: &Path, table: &Table, stated: &str) -> Result<usize> {
     let plain = |s: &str| s.trim().to_lowercase();
     let names = &table.names;
@@ -325,7 +325,7 @@ fn no_column(stated: &str, names: &[String]) -> ReadError {
     }
 }
 
-/// Names of the first columns, for a message.
+/// Names of the first 40 columns, for a message.
 pub(in crate::read) fn listed(names: &[String]) -> Vec<String> {
     names.iter().take(40).cloned().collect()
 }

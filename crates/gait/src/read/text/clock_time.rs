@@ -4,7 +4,7 @@ use crate::read::number::{Field, field, trim};
 
 /// Seconds since midnight from a clock time `[hh:]mm:ss.s`, as in `10:05:07.5` and `2024-05-01T10:05:07.5Z`.
 ///
-/// Dates are ignored. Time zones are also ignored, because the zone is the same in all rows.
+/// Dates are ignored. Time zones are also ignored, because all rows have the same time zone.
 pub(super) fn clock(f: &[u8], comma: bool) -> Option<f64> {
     let f = trim(f);
     let dated = f.get(4) == Some(&b'-') && f.get(7) == Some(&b'-');

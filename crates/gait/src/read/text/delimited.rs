@@ -162,7 +162,7 @@ pub(crate) fn detect(bytes: &[u8]) -> Delimiters {
         comma: false,
     };
     let has_comma = |l: &&[u8]| Fields::new(l, plain).any(is_decimal_comma);
-    // With commas between fields, decimal commas are in quoted fields.
+    // If commas separate the fields, a field with a decimal comma must be quoted.
     let quoted = |l: &&[u8]| {
         Fields::new(l, plain).any(|f| trim(f).len() < f.trim_ascii().len() && is_decimal_comma(f))
     };
@@ -192,7 +192,7 @@ fn blanks_part_decimal_commas(line: &[u8]) -> bool {
 }
 
 fn is_decimal_comma(f: &[u8]) -> bool {
-    // The seconds of a clock time are also considered.
+    // In a clock time, only the seconds may have a decimal comma.
     let last = f.rsplit(|&b| b == b':').next().unwrap_or(f);
     last.contains(&b',') && matches!(field(last, true), Field::Number(_))
 }

@@ -3,18 +3,18 @@
 use super::delimited::{Delimiters, Fields, Position, Separator, text};
 use crate::read::number::{Field, field, trim};
 
-/// Position and header of a table.
+/// Position and header of a table in a text.
 #[derive(Debug, Clone)]
 pub(crate) struct Table {
     /// Position of the first row of numbers.
     pub start: Position,
-    /// Number of fields in the first row, without empty fields at its end.
+    /// Number of fields in a row. Empty fields at the end of the first row are excluded, unless a later row contains forces in them.
     pub width: usize,
     /// Name of each column; empty without a header. If the header has several rows, the names of a column are joined by a space.
     pub names: Vec<String>,
     /// Unit of each column; empty without a row of units.
     pub units: Vec<String>,
-    /// Lines above the table, without the header row and without comment marks.
+    /// Lines above the table, without comment marks and without the rows of names and units.
     pub head: Vec<String>,
 }
 
@@ -25,7 +25,7 @@ impl Table {
         Some(unit.trim_matches(['[', ']', '(', ')']).trim()).filter(|u| !u.is_empty())
     }
 
-    /// Number of the line above the first row of numbers. This line contains the names.
+    /// Number of the line above the first row of numbers, which usually contains the names.
     pub fn header_line(&self) -> usize {
         self.start.line.saturating_sub(1).max(1)
     }
@@ -118,7 +118,7 @@ fn is_wordy(row: &[String], delimiters: Delimiters) -> bool {
             .is_some_and(|c| c.contains('=') || c.eq_ignore_ascii_case("endheader"))
 }
 
-/// Minimum number of fields for which counted numbers are the names of sensors.
+/// Minimum number of consecutive numbers in a row that count as names of sensors.
 const FEWEST_COUNTED: usize = 6;
 
 /// Whether the numbers in a row increase by one from 0 or 1, possibly with words between them, as the names of sensors do.

@@ -27,10 +27,10 @@ const RATES: [&str; 3] = ["dot", "rate", "velocity"];
 /// Minimum number of rows of a cycle.
 const FEWEST: usize = 4;
 
-/// A text with the cycles of a long table.
+/// A long table in a text, with the indices of the columns that distinguish its cycles.
 pub(in crate::read) struct LongTable<'a> {
     file: TextFile<'a>,
-    /// Header of the table, and position of the first row.
+    /// Header of the table, and position of its first row.
     table: Table,
     /// Indices of the columns that distinguish the cycles.
     identifiers: Vec<usize>,
@@ -44,7 +44,7 @@ struct Cycle {
 }
 
 impl<'a> LongTable<'a> {
-    /// The long table in a text, if there is one. It has columns for the subject, the phase and a force, but no times.
+    /// The long table in a text; `None` for other texts. A long table has columns for the subject, the phase and a force, but no times.
     pub fn of(path: &'a Path, bytes: &'a [u8], options: &'a ReadOptions) -> Option<Self> {
         let mut lines = Lines::new(bytes);
         let (_, header) = lines.find(|(_, line)| !line.trim_ascii().is_empty())?;
@@ -174,7 +174,7 @@ impl<'a> LongTable<'a> {
     ///
     /// # Errors
     ///
-    /// Several tasks; forces of several sides; a value that is not a number; phases that decrease.
+    /// Several tasks; forces of several sides; a value that is not a number; phases that do not increase; too few rows in a cycle.
     pub fn mean(&self) -> Result<(Samples, usize)> {
         let path = self.file.path;
         let [phase, force] = self.columns()?;

@@ -36,7 +36,7 @@ pub(super) use samples::Samples;
 pub(super) use table::next_table;
 pub(super) use units::check_unit;
 
-/// Reads a delimited text. The first table that has a force column is used.
+/// Reads a delimited text. The first table with a force column is the recording.
 pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
     let bytes = &*plain(bytes);
     if let Some(long) = LongTable::of(path, bytes, options) {
@@ -79,7 +79,7 @@ fn commas_twice(file: &TextFile, table: &Table) -> Option<ReadError> {
 /// Error for a text without a force column. `seen` contains the column names of its tables.
 pub(super) fn no_force(file: &TextFile, seen: &[String]) -> Error {
     let (path, bytes) = (file.path, file.bytes);
-    // The columns of a table whose rows start with words cannot be determined from numbers; its first line may name them.
+    // If the rows of a table start with words, its columns cannot be determined from numbers. The first line may contain their names.
     let first = bytes.split(|&b| b == b'\n').next().unwrap_or(bytes);
     let head = Fields::new(first, file.delimiters)
         .take(40)

@@ -1,4 +1,5 @@
-//! Tables of numbers for other readers. Every row is returned with its line number; only blank lines and comments are skipped.
+//! Tables of numbers for the readers of other files, such as machine records and lift tables. Every row is returned with its line number.
+//! Only blank lines and comments are skipped.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -13,7 +14,7 @@ use crate::read::columns::{Role, role, words};
 use crate::read::foreign;
 use crate::read::number::{trim, value};
 
-/// Table of a delimited text whose rows are not read yet.
+/// Header and position of a table in a delimited text. The rows are read by `rows`.
 ///
 /// ```
 /// use gaitcam_gait::NumberTable;
@@ -73,7 +74,7 @@ impl<'a> NumberTable<'a> {
         &self.table.names
     }
 
-    /// Number of the header line, counted from 1. Without a header, the number of the line of the first row.
+    /// Number of the header line, counted from 1. Without a header, it is the line number of the first row.
     pub fn header_line(&self) -> usize {
         match self.table.names.is_empty() {
             true => self.table.start.line,
@@ -81,7 +82,7 @@ impl<'a> NumberTable<'a> {
         }
     }
 
-    /// Index of the column with a given name (upper and lower case are equal) or number, counted from 1.
+    /// Index of the column with a given name, regardless of upper and lower case, or with a given number, counted from 1.
     ///
     /// # Errors
     ///

@@ -152,7 +152,7 @@ impl Samples {
             return Ok(base);
         };
         let off = (rate / base.rate_hz - 1.0).abs();
-        // Times are rounded. If a stated rate agrees with them, it is the exact one.
+        // Times are rounded. If the rate in the header agrees with them, it is more accurate.
         if !base.is_uneven() && off < 2e-3 {
             return Ok(TimeBase::even(rate, ClockSource::Header).starting_at(base.start_s));
         }
@@ -166,7 +166,7 @@ impl Samples {
     }
 }
 
-/// Keeps only the columns in `places`. Rows without a time are skipped. A decreasing time is an error.
+/// Keeps only the columns in `places` of a table without names. Rows without a time are skipped. A decreasing time is an error.
 fn part(
     file: &TextFile,
     table: &Table,
@@ -177,7 +177,7 @@ fn part(
     if let Some(t) = time {
         let mut times = std::mem::take(&mut all.columns[t]);
         if let Some(row) = times.windows(2).position(|w| w[1] < w[0]) {
-            // In such files, rows follow each other without gaps, so the line number follows from the row.
+            // The rows of a table without names are assumed to be consecutive lines, so the line number follows from the row.
             let (after, time) = (times[row], times[row + 1]);
             let fault = ReadError::TimeBackwards { time, after };
             return Err(fault.at_line(file.path, table.start.line + row + 1));
@@ -207,8 +207,8 @@ fn overridden(times: &[f64], unit: Option<f64>, rate: f64) -> Option<Note> {
     })
 }
 
-/// Possible units of a time column that gives no unit: name, seconds per unit, and the range of time steps, in this unit, for which the
-/// unit is assumed.
+/// Possible units of a time column without a unit: name and seconds per unit. The range contains the time steps, in this unit, for which
+/// the unit is assumed.
 const SMALL_UNITS: [(&str, f64, std::ops::RangeInclusive<f64>); 3] = [
     ("ms", 1e-3, 0.4..=60.0),
     ("us", 1e-6, 200.0..=60e3),
@@ -219,7 +219,7 @@ const SMALL_UNITS: [(&str, f64, std::ops::RangeInclusive<f64>); 3] = [
 fn guessed_unit(times: &[f64], key_rate: Option<f64>, note: &mut Option<Note>) -> f64 {
     let step = usual_step(times);
     if let Some(rate) = key_rate {
-        // The column does not count seconds; its unit follows from the rate.
+        // If the steps do not agree with the rate in the header, the unit of the times follows from this rate.
         let agrees = (step * rate - 1.0).abs() <= 0.5;
         return if agrees { 1.0 } else { 1.0 / (rate * step) };
     }

@@ -45,7 +45,8 @@ pub(crate) fn next_table(bytes: &[u8], delimiters: Delimiters, from: Position) -
 /// Number of rows that are searched for forces if the first rows contain only a time or a counter.
 const EMPTY_ROWS: usize = 20_000;
 
-/// Number of fields of a table, from its first and later rows. Empty fields after a time or a counter count if later rows contain forces.
+/// Number of fields of a table. If the first row contains only a time or a counter, its empty fields are included if a later row contains
+/// forces.
 fn widest(row: &[u8], later: Lines, delimiters: Delimiters) -> usize {
     let width = row_width(row, delimiters).unwrap_or(0);
     let fields = Fields::new(row, delimiters).count();
@@ -59,8 +60,8 @@ fn widest(row: &[u8], later: Lines, delimiters: Delimiters) -> usize {
 
 /// Number of fields in a row of numbers; `None` if the line is not such a row.
 ///
-/// A row contains more numbers than words. It must start with a number or a clock time, or be long. The numbered names of sensors, 1 2 3 …,
-/// are not a row.
+/// A row contains more numbers than words. It starts with a number or a clock time, or it has at least five fields and four times as many
+/// numbers as words. The numbered names of sensors, 1 2 3 …, are not a row.
 fn row_width(line: &[u8], delimiters: Delimiters) -> Option<usize> {
     let (mut width, mut numbers, mut words, mut count) = (0, 0, 0, 0);
     let mut starts_well = None;
@@ -145,7 +146,7 @@ pub(crate) fn numbers(
             if !is_blank {
                 note_line(&mut skipped, at.line);
             }
-            // A row that contains only spaces is still a sample in time.
+            // Without times, a row with empty selected fields is still a sample, because the samples are counted.
             if is_row && time.is_none() && rows.has_room() {
                 rows.append(&row);
             }

@@ -17,7 +17,7 @@ impl Table {
         if name.contains(['[', '(']) {
             return bracketed(name).find_map(label);
         }
-        // For example `force_n`, `fz_lbf`, `Fz N/kg`; kilograms are more likely the unit of a mass.
+        // For example `force_n`, `fz_lbf`, `Fz N/kg`. A last word `kg` is more likely the unit of a mass.
         let (_, last) = name.trim().rsplit_once(['_', ' '])?;
         label(last).filter(|_| !last.eq_ignore_ascii_case("kg"))
     }

@@ -9,7 +9,7 @@ const COMPONENTS: [&str; 3] = ["x", "y", "z"];
 
 /// The table with one column per component of each vector; `None` for other texts.
 ///
-/// `ground_force_r_v` becomes `ground_force_r_vx`, `ground_force_r_vy`, `ground_force_r_vz`; other names receive the suffixes `_x`, `_y`,
+/// `ground_force_r_v` becomes `ground_force_r_vx`, `ground_force_r_vy`, `ground_force_r_vz`. Other names receive the suffixes `_x`, `_y`,
 /// `_z`.
 pub(super) fn flattened(bytes: &[u8]) -> Option<Vec<u8>> {
     let head = text(&bytes[..bytes.len().min(HEAD)]);

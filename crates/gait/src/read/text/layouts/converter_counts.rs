@@ -1,6 +1,6 @@
 //! Converter counts of Motion Analysis (`.anc`). The header contains the names, rates and ranges of the channels, but no calibration.
 //!
-//! The header gives the sampling rate as `PreciseRate`. The names of the channels are in a line `Name`; their rates and ranges are in the
+//! The header gives the sampling rate as `PreciseRate`. The names of the channels are in a line `Name`. Their rates and ranges are in the
 //! next two lines. Names of muscles may resemble forces (`L GRF`: left gastrocnemius), so only numbered plates are read.
 
 use crate::error::{Placed, ReadError, Result};
@@ -42,7 +42,7 @@ pub(super) fn table(file: &TextFile) -> Option<Table> {
                     names,
                 });
             }
-            // A line with several keys, one of which is the rate of the rows.
+            // A line with several keys, one of which is the sampling rate.
             _ if fields.any(|f| f == "PreciseRate:") => {
                 head.extend(fields.next().map(|rate| format!("rate = {rate}")));
             }
@@ -53,7 +53,7 @@ pub(super) fn table(file: &TextFile) -> Option<Table> {
 }
 
 /// Keeps only the columns of numbered plates, unless the user named columns. The counts are scaled approximately to newtons with the mass
-/// of the walker; the mean cycle is later scaled exactly.
+/// of the walker. The mean cycle is later scaled exactly.
 ///
 /// # Errors
 ///

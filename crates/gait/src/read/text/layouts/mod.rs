@@ -22,11 +22,11 @@ pub(super) struct Layout {
     program: Option<&'static str>,
     /// Whether a text has this layout.
     is_of: fn(&Seen) -> bool,
-    /// Function that locates the table, if it is not the first table below a header.
+    /// Function that locates the table. It returns `None` if the table is the first one below a header.
     table: fn(&TextFile) -> Option<Table>,
-    /// Function that adds the properties that the layout implies: columns, units, names, feet.
+    /// Function that adjusts the samples to the layout: columns, units, names, feet.
     complete: fn(&TextFile, &[String], &mut Samples) -> Result<()>,
-    /// Function that reads the whole table, if a row of the layout is not a sample.
+    /// Function that reads the whole table; `None` if each row of the layout is a sample.
     read: Option<ReadTable>,
     /// Whether the forces are those of pressure insoles.
     insole: bool,
@@ -35,7 +35,7 @@ pub(super) struct Layout {
 /// Function that reads a table and the lines above it.
 type ReadTable = fn(&TextFile, &Table, &[String]) -> Result<Recording>;
 
-/// Any delimited text; its columns are interpreted by their names.
+/// Any delimited text. Its columns are interpreted by their names.
 const DELIMITED: Layout = Layout {
     program: None,
     is_of: |_| true,
@@ -115,7 +115,7 @@ struct Seen<'a> {
     file: &'a TextFile<'a>,
     /// Lines above the table, in lower case.
     head: Vec<String>,
-    /// Names of the table's columns.
+    /// Names of the columns of the table.
     names: &'a [String],
 }
 
@@ -155,7 +155,7 @@ pub(super) fn layout(file: &TextFile, table: &Table, head: &[String]) -> &'stati
 }
 
 impl Layout {
-    /// Table that the layout locates; `None` if the table follows a header, as in most texts.
+    /// Table located by the layout; `None` if the table is the first one below a header, as in most texts.
     pub fn own_table(&self, file: &TextFile) -> Option<Table> {
         (self.table)(file)
     }

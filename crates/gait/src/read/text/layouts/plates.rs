@@ -36,15 +36,15 @@ const HEAD: usize = 60;
 /// Maximum number of bytes of the header of a plate file.
 const HEAD_BYTES: usize = 1 << 14;
 
-/// Plate that the start of a text describes; `None` for other texts.
+/// Properties of the plate file that begins with a given text; `None` for other texts.
 pub fn plate_of(start: &[u8]) -> Option<PlateFile> {
     let bytes = plain(start);
     let lines = Lines::new(&bytes).take(HEAD).map(|(_, line)| text(line));
     of_head(&lines.collect::<Vec<_>>())
 }
 
-/// The files of all plates of one trial, concatenated for [`read`](crate::read()). `None` unless the files are different plates of one
-/// trial.
+/// The files of all plates of one trial, concatenated for [`read`](crate::read()). `None` if the files do not belong to different plates of
+/// one trial.
 pub fn joined_plates(files: &[Vec<u8>]) -> Option<Vec<u8>> {
     let plates: Vec<PlateFile> = files.iter().map(|f| plate_of(f)).collect::<Option<_>>()?;
     let fits = |(i, plate): (usize, &PlateFile)| {
@@ -73,7 +73,7 @@ pub fn parts(bytes: &[u8]) -> Vec<&[u8]> {
         .collect()
 }
 
-/// Adds the properties that apply to all columns: plate, foot, and the unit. The header omits the unit, which is newton.
+/// Adds the plate, the foot and the unit to all columns. The header contains no unit, and the forces are in newtons.
 pub(super) fn complete(_: &TextFile, head: &[String], samples: &mut Samples) -> Result<()> {
     let plate = of_head(head).map(|file| file.plate);
     for force in &mut samples.forces {
@@ -86,7 +86,7 @@ pub(super) fn complete(_: &TextFile, head: &[String], samples: &mut Samples) -> 
     Ok(())
 }
 
-/// Plate whose name is in a header.
+/// Properties of the plate file with a given header; `None` if the header contains no time stamp or no name of a plate.
 fn of_head(head: &[String]) -> Option<PlateFile> {
     let value = |key: &str| {
         let found = head.iter().find_map(|line| {

@@ -6,11 +6,11 @@ use crate::read::text::delimited::TextFile;
 use crate::read::text::header::Table;
 use crate::recording::Recording;
 
-/// Minimum number of numbered columns that are sensors; two or four columns may be plates.
+/// Minimum number of numbered columns that count as sensors. Two or four columns may be plates.
 const FEWEST: usize = 6;
 
-/// Whether the columns are sensors: there is a column of times or frames, at least `FEWEST` column names are numbers, and no name denotes a
-/// force.
+/// Whether the columns are sensors. There must be a column of times or frames and at least `FEWEST` columns whose names are numbers. No
+/// name may denote a force.
 ///
 /// The result is `false` if the user named a force column, unless no unit is given and a line above the table mentions a pressure. `head`
 /// contains these lines in lower case.

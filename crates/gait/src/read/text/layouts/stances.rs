@@ -25,12 +25,13 @@ const FEWEST_SAMPLES: usize = 40;
 /// Usual sampling rates of force plates, Hz. The number of samples of a stance determines which rate is assumed.
 const RATES: [f64; 6] = [50.0, 100.0, 250.0, 500.0, 1000.0, 2000.0];
 
-/// Usual duration of a stance in level walking, s; 0.43 to 0.81 s in the recordings of this project (see their README).
+/// Typical duration of a stance in level walking, s. It is 0.43 to 0.81 s in measured recordings, according to their README, which is not
+/// in this repository.
 const USUAL_STANCE_S: f64 = 0.65;
 
-/// Whether the names of the columns are numbered samples: the same words followed by 1, 2, 3 …
+/// Whether the names of the columns are numbered samples of a vertical force: the same words followed by 1, 2, 3 …
 ///
-/// If there is a time column, the numbers denote sensors, and a row is one instant. Only the vertical component is read.
+/// If there is a time column, the result is `false`, because the numbers then denote sensors and a row is one instant.
 pub(super) fn are_in(names: &[String]) -> bool {
     names.len() > FEWEST_SAMPLES
         && numbered(names).is_some_and(|first| {
@@ -124,7 +125,7 @@ fn mean_mass(rows: &[Row], notes: &mut Vec<Note>) -> Option<f64> {
     (!masses.is_empty()).then(|| mean(&masses))
 }
 
-/// Samples of all stances one after the other, and the position of each stance.
+/// Concatenated samples of all stances, and the range of samples of each stance.
 fn stances(file: &TextFile, table: &Table) -> Result<(Vec<f64>, Vec<Row>)> {
     let (delimiters, options) = (file.delimiters, file.options);
     let first = numbered(&table.names).unwrap_or(0);
@@ -195,7 +196,7 @@ fn scale(
     Ok((unit, from))
 }
 
-/// Usual sampling rate, Hz, at which the median stance has a typical duration.
+/// Sampling rate, Hz, from `RATES`, at which the duration of the median stance is nearest to `USUAL_STANCE_S`.
 fn likely_rate(rows: &[Row], notes: &mut Vec<Note>) -> f64 {
     let mut lengths: Vec<usize> = rows.iter().map(|r| r.to - r.from).collect();
     lengths.sort_unstable();
@@ -224,7 +225,7 @@ fn likely_rate(rows: &[Row], notes: &mut Vec<Note>) -> f64 {
 fn masses(bytes: &[u8]) -> HashMap<String, f64> {
     let bytes = &*plain(bytes);
     let delimiters = detect(bytes);
-    // The first column contains names. The header is therefore the first line; it is not detected by its numbers.
+    // The first column contains names. The header is therefore the first line and is not detected from the numbers below it.
     let mut lines = Lines::new(bytes);
     let header = lines.next().map_or(&b""[..], |(_, line)| line);
     let names = Fields::new(header, delimiters).map(|f| text(trim(f)).to_lowercase());
@@ -242,7 +243,8 @@ fn masses(bytes: &[u8]) -> HashMap<String, f64> {
             let x = value(fields.get(i?)?, delimiters.comma);
             x.is_finite().then_some(x)
         };
-        // A column of weight without a column of mass may contain either of them; walkers of 200 N and of 200 kg are both rare.
+        // A column of weight may contain newtons or kilograms. Values above 200 are interpreted as newtons, because walkers of 200 N or 200
+        // kg are rare.
         let weighed = at(weight).map(|w| if w > 200.0 { w / G } else { w });
         if let (Some(id), Some(kg)) = (fields.first(), at(mass).or(weighed))
             && (3.0..=400.0).contains(&kg)
