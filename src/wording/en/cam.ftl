@@ -29,7 +29,7 @@ cam-arm-reach = the arm of { $arm } { $fault ->
         [long] is too long to touch
        *[apart] cannot touch
     } the prime circle of radius { $prime } from a pivot at { $pivot }
-    .help = its length must lie between { $least } and { $most }
+    .help = the length of the arm must lie between { $least } and { $most }
 cam-swing = the arm swings from { $from } to { $to }, beyond its dead centres at { $dead }
     .help = from its start at { $start } it may rise by less than { $rise } and fall by less than { $fall }
 cam-face-speed = at { $at } the angular velocity of the arm is { $speed } rad/rad, not less than that of the cam
@@ -45,8 +45,8 @@ cam-no-conjugate-of = a conjugate cam for this follower ({ $follower }) does not
 cam-second-cam = the conjugate cam does not exist: { $because }
 cam-no-conjugate = no conjugate cam exists for a distance or angle of { $total } between both followers: the first follower alone reaches { $reach }
     .help = { $least ->
-        [none] this value must be much larger than { $reach }
-       *[other] with at least { $least } (second base radius { $base }) the conjugate cam has no undercut
+        [none] the distance or angle must be much larger than { $reach }
+       *[other] use at least { $least } (second base radius { $base }) to avoid undercut of the conjugate cam
     }
 cam-translating-height = the base height of a translating cam affects neither curvature nor pressure angle
     .help = increase its length of travel or use a smaller roller

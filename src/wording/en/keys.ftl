@@ -1,7 +1,7 @@
 # What each key of a scene file means (src/scene/keys/table.rs).
 key-name = Name of the scene and of its output folder.
 key-gait-file = Recording of the target force, or a file with its cycle. For a population: a folder, a list of files or a table of walkers. The path is relative to the scene file or else to the working directory. Plates of one trial in separate files: "a.tsv + b.tsv".
-key-gait-model = Load model of the target force: young, li-2010, setra, iso-22675 … Checked against published text: setra, rebelo, sci-p354, iso-22675. Check the others before you quote them.
+key-gait-model = Load model of the target force: young, li-2010, setra, iso-22675 … The models setra, rebelo, sci-p354 and iso-22675 are checked against published text. Check the others before you quote them.
 key-gait-harmonics = Dynamic load factors of the force of both feet, instead of a model. For each harmonic of the step frequency: amplitude as a fraction of the weight, and phase of its sine, ["0.4", "0.1 at -90 deg"].
 key-gait-step_frequency = Steps per second of the load model or the load factors; for several walkers a range with the number of values, or a normal distribution (mean, standard deviation).
 key-gait-body_weight = Weight of the walker for the load model or the load factors; auto: 700 N.
@@ -88,7 +88,7 @@ key-law-point-N-jerk = Jerk d³s/dθ³ at that angle.
 key-law-dwell-N-from = First cam angle of a dwell.
 key-law-dwell-N-to = Last cam angle of the dwell.
 key-law-dwell-N-lift = Lift during the dwell; free if omitted.
-key-law-segment-N-motion = Motion of a segment: a name of the catalogue (gaitcam laws), dwell, or a table with pairs of angle and lift as fractions of the segment, at rest at both ends: "table 0 0 0.5 0.3 1 1". A CSV file, "table lift.csv", has the columns "angle" and "lift" with units; they give angle and lift of the segment if these are omitted. Its path is relative to the scene file or else to the working directory.
+key-law-segment-N-motion = Motion of a segment: a name of the catalogue (gaitcam laws), dwell, or a table with pairs of angle and lift as fractions of the segment, at rest at both ends: "table 0 0 0.5 0.3 1 1". The CSV file of "table lift.csv" needs the columns "angle" and "lift" with units. If angle or lift of the segment is omitted, the value of the file is used. The path is relative to the scene file or else to the working directory.
 key-law-segment-N-lift = Change of lift over the segment; negative for a fall.
 key-law-segment-N-angle = Cam angle that the segment covers.
 key-law-segment-N-length = Travel of a translating cam during the segment.

@@ -1,5 +1,5 @@
 # How a law was found.
-method-programme = motion prescribed; no optimisation
+method-programme = the motion is prescribed and not optimised
 method-interpolation = one linear system with as many conditions as coefficients
 method-spectral = { $harmonics } harmonics; truncation error { $rest } RMS
 method-harmonics = { $harmonics } harmonics, { $rounds ->
@@ -22,7 +22,7 @@ method-sequence = { $programs ->
         [no-improvement] { ended-no-improvement }
        *[small-gain] { ended-small-gain }
     }; constraint violation { $violation }
-ended-out-of-time = the time limit
+ended-out-of-time = time limit reached
 ended-most-steps = maximum number of steps reached
 ended-no-solution = the linearised program is infeasible near the last law
 ended-no-improvement = no fraction of the last step improves the objective

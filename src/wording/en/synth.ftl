@@ -2,16 +2,16 @@
 reason-out-of-time = The time limit ended the search; this is the best cam found. Allow more time with --time-limit.
 reason-all-hold = All limits are satisfied; lift, velocity and acceleration are continuous over the whole cycle.
 reason-mean-force = The mean target force is { $mean }, but the weight of the mass is { $weight }. A cam cannot change the mean force over a turn, so the force error is at least { $error } RMS. Set drive.mass = "auto" or gait.scale = "to-mass".
-reason-recording-kind = The kind of movement in the recording is not certain: { $because }. Set { $keys }, or gait.accept = "kind" if it is correct.
-reason-recording-clock = The time scale of the recording is not certain: { $because }. Set { $keys }, or gait.accept = "clock" if it is correct.
-reason-recording-mass = The mass of the walker and the scale of the forces are not certain: { $because }. Set { $keys }, or gait.accept = "mass" if they are correct.
+reason-recording-kind = The kind of movement in the recording is not certain: { $because }. Set { $keys }, or gait.accept = "kind" if the kind is correct.
+reason-recording-clock = The time scale of the recording is not certain: { $because }. Set { $keys }, or gait.accept = "clock" if the time scale is correct.
+reason-recording-mass = The mass of the walker and the scale of the forces are not certain: { $because }. Set { $keys }, or gait.accept = "mass" if mass and scale are correct.
 reason-recording-clipped = The recording is clipped: { $because }. Its peaks and the mass are too low, and gait.accept does not permit a clipped recording. Record again with a larger range, or omit the column ({ $keys }).
 reason-lift-jumps = The lift is discontinuous at { $at }; no follower can follow such a lift. Prescribe the same lift on both sides.
 reason-velocity-jumps = The velocity is discontinuous at { $at }, which causes infinite acceleration and an impact on the follower. Prescribe the same velocity on both sides (law.point.N.velocity).
 reason-acceleration-jumps = The acceleration is discontinuous at { $at }, which causes infinite jerk, and vibration at high speed.
-reason-lifts-off = The minimum contact force is −{ $pull } at { $at }: above { $speed } the follower loses contact. Set limits.force_min = "0 N" to keep it in contact.
-reason-lifts-off-as-prescribed = The minimum contact force is −{ $pull } at { $at }: above { $speed } the follower loses contact. Run the cam more slowly, or prescribe a lower deceleration there.
-reason-contact-lost = The minimum contact force is −{ $pull } at { $at }: the follower loses contact. Use a stiffer spring, a larger preload, or a lower speed.
+reason-lifts-off = The minimum contact force is −{ $pull } at { $at }, so the follower loses contact above { $speed }. Set limits.force_min = "0 N" to maintain contact.
+reason-lifts-off-as-prescribed = The minimum contact force is −{ $pull } at { $at }, so the follower loses contact above { $speed }. Run the cam more slowly, or prescribe a lower deceleration there.
+reason-contact-lost = The minimum contact force is −{ $pull } at { $at }, so the follower loses contact. Use a stiffer spring, a larger preload, or a lower speed.
 reason-contact-lost-in-run = In this run the follower is out of contact with the cam for { $share } of the motion. Use a stiffer spring, a larger preload, or a lower speed.
 reason-cusp = The profile has a cusp (zero radius of curvature) at { $at }. Set limits.curvature.
 reason-undercut = The profile is undercut at { $at }; its convex radius of curvature would be { $radius }.
@@ -62,7 +62,7 @@ design-inertia-for-accuracy = With this motor the force error over time is { $er
 design-no-base-circle = The minimum base radius is zero, so the profile passes through the shaft axis. Set cam.bore or cam.base_radius.
 design-usual-pressure-angle = No limit on the pressure angle is given; the cam is sized for the usual maximum of { $angle }. Set limits.pressure_angle to change it.
 design-polydyne = The cam is polydyne: at { $speed } the output end of a follower of stiffness { $stiffness } follows the law. Lift, velocity, acceleration, jerk and their limits refer to the cam; the force refers to the output end.
-design-polydyne-miss = With its flexible follower this cam has a force error of { $own } RMS; a cam whose lift equals the law would have { $plain } RMS.
+design-polydyne-miss = With its flexible follower this cam has a force error of { $own } RMS. A cam without the polydyne correction would have { $plain } RMS.
 
 # Faults in the input of a design.
 synth-shaft-diverges = the iteration of law and shaft speed does not converge: the speed ripple is { $ripple }
@@ -74,7 +74,7 @@ synth-mass-not-adjustable = with this drive, the mass does not balance the weigh
 synth-speed-not-adjustable = the force of this drive does not scale with the speed, because spring, damping and inertia forces depend on it differently
     .help = remove "speed" from gait.adjust and give drive.speed
 synth-not-of-population = this setting is not available for several walkers
-    .help = give one cycle, or omit the setting; law.robust requires the force error as objective and law.family = "spline", "harmonic" or none
+    .help = give one cycle, or omit the setting; law.robust requires the objective force-error and law.family = "spline" or "harmonic", or no law.family
 synth-machine-of-population = a cam for several walkers is designed without motor and floor
     .help = omit this setting here; then simulate the finished cam with it: gaitcam simulate DIR --set KEY=VALUE --speeds START:STOP:COUNT
 synth-one-walker = cams cannot be selected for only one walker
@@ -103,13 +103,13 @@ synth-no-law = { $reason }
 synth-search-failed = the search failed: { $fault }
 synth-too-many-harmonics = { $samples } samples determine at most { $most } harmonics
 synth-resonance = harmonic { $harmonic } of the force is at the resonance of the drive, where spring and inertia forces cancel
-    .help = add damping, or change mass, spring rate or speed
+    .help = set a larger drive.damping, or change drive.mass, drive.spring_rate or drive.speed
 synth-no-constant-breadth = the law does not have a constant breadth: the sum of the lifts at θ and θ + 180° is { $sum } for θ = 0°, but differs from this by { $miss } for θ = { $at }
     .help = give only the segments of the first 180°; they determine the other half
 synth-breadth-too-small = a breadth of { $breadth } is too small for a lift of { $lift }
     .help = the breadth is twice the base radius (roller: prime radius) plus the lift
 synth-no-prime-circle = no prime circle is large enough
-    .help = a discontinuous velocity gives a corner of the profile with any base radius
+    .help = remove the discontinuity of the velocity, because it causes a corner of the profile with any base radius
 synth-follower-needs = this follower requires this key
 synth-no-range = the range from { $start } to { $end } is not valid within one turn
     .help = angles run from 0 to 360 deg
@@ -125,8 +125,8 @@ synth-force-gives-no-lift = with this drive a force does not determine a lift
     .help = give the lift, or use a hydraulic drive
 synth-points-empty = the points give no condition
     .help = give lift, force, velocity, acceleration or jerk
-synth-family-needs-force = this family requires a target force, and none is given
-    .help = add [gait], or use spline, polynomial or program
+synth-family-needs-force = this family requires a target force
+    .help = add [gait], or set law.family = "spline", "polynomial" or "program"
 synth-no-double-harmonic = the search found no double harmonic law
 synth-double-harmonic-useless = no double-harmonic law reproduces this force better than a constant force
     .help = use family = "spline"

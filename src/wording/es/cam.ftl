@@ -29,7 +29,7 @@ cam-arm-reach = el brazo de { $arm } { $fault ->
         [long] es demasiado largo para tocar
        *[apart] no puede tocar
     } el círculo primario de radio { $prime } desde un pivote a { $pivot }
-    .help = su longitud debe estar entre { $least } y { $most }
+    .help = la longitud del brazo debe estar entre { $least } y { $most }
 cam-swing = el brazo oscila de { $from } a { $to }, más allá de sus puntos muertos en { $dead }
     .help = desde su posición inicial de { $start } puede subir menos de { $rise } y bajar menos de { $fall }
 cam-face-speed = en { $at } la velocidad angular del brazo es { $speed } rad/rad, no menor que la de la leva
@@ -45,8 +45,8 @@ cam-no-conjugate-of = no existe leva conjugada para este seguidor ({ $follower }
 cam-second-cam = la leva conjugada no existe: { $because }
 cam-no-conjugate = no existe leva conjugada para una distancia o un ángulo de { $total } entre ambos seguidores: el primer seguidor por sí solo alcanza { $reach }
     .help = { $least ->
-        [none] este valor debe ser mucho mayor que { $reach }
-       *[other] con al menos { $least } (segundo radio base { $base }) la leva conjugada no tiene rebaje
+        [none] la distancia o el ángulo debe ser mucho mayor que { $reach }
+       *[other] use al menos { $least } (segundo radio base { $base }) para evitar el rebaje de la leva conjugada
     }
 cam-translating-height = la altura base de una leva de traslación no influye en la curvatura ni en el ángulo de presión
     .help = aumente su recorrido o use un rodillo más pequeño

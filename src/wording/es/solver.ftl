@@ -1,5 +1,5 @@
 # Cómo se obtuvo la ley.
-method-programme = movimiento prescrito; sin optimización
+method-programme = el movimiento está prescrito y no se optimiza
 method-interpolation = un sistema lineal con tantas condiciones como coeficientes
 method-spectral = { $harmonics } armónicos; error de truncamiento { $rest } RMS
 method-harmonics = { $harmonics } armónicos, { $rounds ->
@@ -22,7 +22,7 @@ method-sequence = { $programs ->
         [no-improvement] { ended-no-improvement }
        *[small-gain] { ended-small-gain }
     }; violación de restricciones { $violation }
-ended-out-of-time = el límite de tiempo
+ended-out-of-time = límite de tiempo alcanzado
 ended-most-steps = se alcanzó el número máximo de pasos
 ended-no-solution = el programa linealizado no tiene solución cerca de la última ley
 ended-no-improvement = ninguna fracción del último paso mejora el objetivo

@@ -2,16 +2,16 @@
 reason-out-of-time = El límite de tiempo terminó la búsqueda; esta es la mejor leva hallada. Permita más tiempo con --time-limit.
 reason-all-hold = Se cumplen todos los límites; elevación, velocidad y aceleración son continuas en todo el ciclo.
 reason-mean-force = La fuerza objetivo media es { $mean }, pero el peso de la masa es { $weight }. Una leva no puede cambiar la fuerza media de una vuelta, de modo que el error de fuerza es como mínimo { $error } RMS. Fije drive.mass = "auto" o gait.scale = "to-mass".
-reason-recording-kind = No está claro qué movimiento contiene el registro: { $because }. Indique { $keys }, o gait.accept = "kind" si es correcto.
-reason-recording-clock = La escala de tiempo del registro no está clara: { $because }. Indique { $keys }, o gait.accept = "clock" si es correcta.
-reason-recording-mass = La masa de la persona y la escala de las fuerzas no están claras: { $because }. Indique { $keys }, o gait.accept = "mass" si son correctas.
+reason-recording-kind = No está claro qué movimiento contiene el registro: { $because }. Indique { $keys }, o gait.accept = "kind" si el movimiento es correcto.
+reason-recording-clock = La escala de tiempo del registro no está clara: { $because }. Indique { $keys }, o gait.accept = "clock" si la escala es correcta.
+reason-recording-mass = La masa de la persona y la escala de las fuerzas no están claras: { $because }. Indique { $keys }, o gait.accept = "mass" si masa y escala son correctas.
 reason-recording-clipped = El registro está recortado: { $because }. Sus picos y la masa son demasiado bajos, y gait.accept no permite un registro recortado. Registre de nuevo con un rango mayor, o excluya la columna ({ $keys }).
 reason-lift-jumps = La elevación es discontinua en { $at }; ningún seguidor puede seguirla. Prescriba la misma elevación a ambos lados.
 reason-velocity-jumps = La velocidad es discontinua en { $at }, lo que causa aceleración infinita y un choque del seguidor. Prescriba la misma velocidad a ambos lados (law.point.N.velocity).
 reason-acceleration-jumps = La aceleración es discontinua en { $at }, lo que causa sobreaceleración infinita y vibración a alta velocidad.
-reason-lifts-off = La fuerza de contacto mínima es −{ $pull } en { $at }: por encima de { $speed } el seguidor pierde el contacto. Fije limits.force_min = "0 N" para mantenerlo.
-reason-lifts-off-as-prescribed = La fuerza de contacto mínima es −{ $pull } en { $at }: por encima de { $speed } el seguidor pierde el contacto. Haga girar la leva más despacio o prescriba una deceleración menor en ese punto.
-reason-contact-lost = La fuerza de contacto mínima es −{ $pull } en { $at }: el seguidor pierde el contacto. Use un muelle más rígido, más precarga o menos velocidad.
+reason-lifts-off = La fuerza de contacto mínima es −{ $pull } en { $at }, así que el seguidor pierde el contacto por encima de { $speed }. Fije limits.force_min = "0 N" para mantener el contacto.
+reason-lifts-off-as-prescribed = La fuerza de contacto mínima es −{ $pull } en { $at }, así que el seguidor pierde el contacto por encima de { $speed }. Haga girar la leva más despacio o prescriba una deceleración menor en ese punto.
+reason-contact-lost = La fuerza de contacto mínima es −{ $pull } en { $at }, así que el seguidor pierde el contacto. Use un muelle más rígido, más precarga o menos velocidad.
 reason-contact-lost-in-run = En este ensayo el seguidor está sin contacto con la leva durante { $share } del movimiento. Use un muelle más rígido, más precarga o menos velocidad.
 reason-cusp = El perfil tiene una cúspide (radio de curvatura nulo) en { $at }. Fije limits.curvature.
 reason-undercut = El perfil presenta rebaje en { $at }; su radio de curvatura convexo sería { $radius }.
@@ -62,7 +62,7 @@ design-inertia-for-accuracy = Con este motor el error de fuerza en el tiempo es 
 design-no-base-circle = El radio base mínimo es cero, de modo que el perfil pasa por el eje. Fije cam.bore o cam.base_radius.
 design-usual-pressure-angle = No se da límite para el ángulo de presión; la leva se dimensiona para el máximo habitual, { $angle }. Fije limits.pressure_angle para cambiarlo.
 design-polydyne = La leva es polidina: a { $speed } el extremo de salida de un seguidor de rigidez { $stiffness } sigue la ley. Elevación, velocidad, aceleración, sobreaceleración y sus límites se refieren a la leva; la fuerza, al extremo de salida.
-design-polydyne-miss = Con su seguidor flexible, esta leva tiene un error de fuerza de { $own } RMS; una leva cuya elevación es la ley tendría { $plain } RMS.
+design-polydyne-miss = Con su seguidor flexible, esta leva tiene un error de fuerza de { $own } RMS. Una leva sin la corrección polidina tendría { $plain } RMS.
 
 # Errores en los datos de un diseño.
 synth-shaft-diverges = la iteración de ley y velocidad del eje no converge: la oscilación de velocidad es del { $ripple }
@@ -74,7 +74,7 @@ synth-mass-not-adjustable = la masa de este accionamiento no soporta el peso del
 synth-speed-not-adjustable = la fuerza de este accionamiento no cambia con la velocidad por un solo factor, porque las fuerzas del muelle, del amortiguamiento y de inercia dependen de ella de modo distinto
     .help = quite "speed" de gait.adjust y dé drive.speed
 synth-not-of-population = este ajuste no está disponible para varios caminantes
-    .help = dé un solo ciclo u omita el ajuste; law.robust requiere el error de fuerza como objetivo y law.family = "spline", "harmonic" o ninguna
+    .help = dé un solo ciclo u omita el ajuste; law.robust requiere el objetivo force-error y law.family = "spline" o "harmonic", o ningún law.family
 synth-machine-of-population = una leva para varios caminantes se diseña sin motor ni suelo
     .help = omita aquí este ajuste; después simule con él la leva terminada: gaitcam simulate DIR --set CLAVE=VALOR --speeds INICIO:FIN:N
 synth-one-walker = no se pueden elegir levas para un solo caminante
@@ -103,13 +103,13 @@ synth-no-law = { $reason }
 synth-search-failed = la búsqueda falló: { $fault }
 synth-too-many-harmonics = { $samples } muestras determinan como máximo { $most } armónicos
 synth-resonance = el armónico { $harmonic } de la fuerza está en la resonancia del accionamiento, donde las fuerzas del muelle y de inercia se anulan
-    .help = añada amortiguamiento, o cambie la masa, la rigidez o la velocidad
+    .help = fije un drive.damping mayor, o cambie drive.mass, drive.spring_rate o drive.speed
 synth-no-constant-breadth = la ley no tiene una anchura constante: la suma de las elevaciones en θ y θ + 180° es { $sum } para θ = 0°, pero difiere de este valor en { $miss } para θ = { $at }
     .help = indique solo los segmentos de los primeros 180°; la otra mitad resulta de ellos
 synth-breadth-too-small = una anchura de { $breadth } es demasiado pequeña para una elevación de { $lift }
     .help = la anchura es el doble del radio base (rodillo: radio primario) más la elevación
 synth-no-prime-circle = ningún círculo primario es lo bastante grande
-    .help = una velocidad discontinua da al perfil una esquina con cualquier radio base
+    .help = elimine la discontinuidad de la velocidad, porque da al perfil una esquina con cualquier radio base
 synth-follower-needs = este seguidor requiere esta clave
 synth-no-range = el intervalo de { $start } a { $end } no es válido dentro de una vuelta
     .help = los ángulos van de 0 a 360 deg
@@ -125,8 +125,8 @@ synth-force-gives-no-lift = con este accionamiento una fuerza no determina una e
     .help = indique la elevación, o use un accionamiento hidráulico
 synth-points-empty = los puntos no dan ninguna condición
     .help = indique elevación, fuerza, velocidad, aceleración o sobreaceleración
-synth-family-needs-force = esta familia requiere una fuerza objetivo y no se da ninguna
-    .help = añada [gait], o use spline, polynomial o program
+synth-family-needs-force = esta familia requiere una fuerza objetivo
+    .help = añada [gait], o fije law.family = "spline", "polynomial" o "program"
 synth-no-double-harmonic = la búsqueda no encontró ninguna ley armónica doble
 synth-double-harmonic-useless = ninguna ley armónica doble reproduce esta fuerza mejor que una fuerza constante
     .help = use family = "spline"

@@ -227,7 +227,7 @@ figure-resonance-programme = cam with speed programme
 figure-resonance-acceleration = RMS acceleration, 1 kg mode, m/s²
 figure-resonance-frequency = frequency of the mode, Hz
 resonance-severity = At resonance with { $damping } % damping this cam at constant speed is { $ratio } times as severe as the recorded walk.
-resonance-severity-few = At resonance with { $damping } % damping this cam at constant speed is at least { $ratio } times as severe as the recorded walk: { $strides } strides are recorded, and this damping needs { $needed }.
+resonance-severity-few = At resonance with { $damping } % damping this cam at constant speed is at least { $ratio } times as severe as the recorded walk. The recording has { $strides } strides, but this damping requires { $needed }.
 report-resonance-section = Recorded walk and cam at resonance
 report-resonance-damping = damping ratio
 report-resonance-recorded = recorded walk, m/s²
@@ -335,7 +335,7 @@ laws-use-3-4-5 = Usual polynomial between dwells. The acceleration is continuous
 laws-use-4-5-6-7 = Use it between dwells if the jerk must be zero at both ends. It is quieter at high speed but has a higher peak acceleration.
 laws-use-5-6-7-8-9 = Use it between dwells if the snap must also be zero at both ends, as in stiff, fast machines. Of the three polynomials it has the highest peak acceleration.
 laws-use-polynomial-5 = Matches lift, velocity and acceleration of both neighbours. Use it between two laws that cannot be joined directly.
-laws-use-polynomial-7 = Like polynomial-5, with continuous jerk.
+laws-use-polynomial-7 = Matches lift, velocity, acceleration and jerk of both neighbours. Use it like polynomial-5 if the jerk must also be continuous.
 laws-use-berzak-d = Polynomial with a low peak acceleration for use between dwells (Bautista Morelos 2018). The jerk at its ends is not zero.
 laws-use-gutman-1-3 = Sum of two harmonics. Its peak acceleration is lower than that of the cycloidal law, and it has no higher harmonics that could excite the follower.
 laws-use-freudenstein-1-3 = Freudenstein 1-3 as commonly printed. Its ends are not at rest (v = −1/56), so it cannot join a dwell. Use freudenstein-1-3-at-rest instead.

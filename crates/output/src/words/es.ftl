@@ -232,7 +232,7 @@ figure-resonance-programme = leva con programa
 figure-resonance-acceleration = aceleración RMS, modo de 1 kg, m/s²
 figure-resonance-frequency = frecuencia del modo, Hz
 resonance-severity = En resonancia con { $damping } % de amortiguamiento, esta leva a velocidad constante es { $ratio } veces tan severa como la marcha registrada.
-resonance-severity-few = En resonancia con { $damping } % de amortiguamiento, esta leva a velocidad constante es al menos { $ratio } veces tan severa como la marcha registrada: hay { $strides } zancadas registradas y este amortiguamiento requiere { $needed }.
+resonance-severity-few = En resonancia con { $damping } % de amortiguamiento, esta leva a velocidad constante es al menos { $ratio } veces tan severa como la marcha registrada. El registro tiene { $strides } zancadas, pero este amortiguamiento requiere { $needed }.
 report-resonance-section = Marcha registrada y leva en resonancia
 report-resonance-damping = amortiguamiento
 report-resonance-recorded = marcha registrada, m/s²
@@ -340,7 +340,7 @@ laws-use-3-4-5 = Polinomio habitual entre detenimientos. La aceleración es cont
 laws-use-4-5-6-7 = Úselo entre detenimientos si la sobreaceleración debe ser cero en ambos extremos. Es más silencioso a alta velocidad, pero su aceleración de pico es mayor.
 laws-use-5-6-7-8-9 = Úselo entre detenimientos si también la derivada de la sobreaceleración debe ser cero en los extremos, como en máquinas rígidas y rápidas. Su aceleración de pico es la mayor de los tres polinomios.
 laws-use-polynomial-5 = Enlaza en elevación, velocidad y aceleración con ambos vecinos. Úselo entre dos leyes que no pueden unirse directamente.
-laws-use-polynomial-7 = Como polynomial-5, con sobreaceleración continua.
+laws-use-polynomial-7 = Iguala la elevación, la velocidad, la aceleración y la sobreaceleración de ambas vecinas. Úsela como polynomial-5 si también la sobreaceleración debe ser continua.
 laws-use-berzak-d = Polinomio con poca aceleración de pico para usarlo entre detenimientos (Bautista Morelos 2018). La sobreaceleración en sus extremos no es cero.
 laws-use-gutman-1-3 = Suma de dos armónicos. Su aceleración de pico es menor que la de la cicloidal, y no tiene armónicos superiores que exciten el seguidor.
 laws-use-freudenstein-1-3 = Freudenstein 1-3 como suele imprimirse. Sus extremos no están en reposo (v = −1/56), así que no enlaza con un detenimiento. Use freudenstein-1-3-at-rest.
