@@ -11,9 +11,9 @@ law-segment-length = the length of { $segment } is { $length }, but it must be p
 law-dwell-lift = { $segment } has a lift of { $lift }
     .help = the lift of a dwell is constant: choose a motion or set the lift to 0
 law-uncovered = the segments cover { $covered } of { $wanted }: { $missing } are missing
-    .help = add a dwell or change the angle of a segment
+    .help = add a dwell, or change the angle or length of a segment
 law-overfull = the segments cover { $covered }, which is { $excess } more than { $wanted }
-    .help = change the angle of a segment
+    .help = change the angle or length of a segment
 law-general-neighbours = the general polynomials { $first } and { $second } are adjacent, so their end conditions are not determined
     .help = change the motion of one segment, or merge the two segments
 law-lift-jump = { $before } cannot join { $after } at { $at }: the lift changes by { $jump } there
@@ -51,7 +51,7 @@ law-not-fixed = these { $conditions } conditions do not determine a polynomial o
 law-parameter = `{ $word }` after `{ $motion }` is not a number
     .help = write parameters as in `scca 0.25 0.25 0.5`
 law-parameters = `{ $motion }` does not take { $given } parameters
-    .help = scca has the parameters b, c, d; eccentric has a ratio; other motions have no parameters
+    .help = only scca (b, c, d) and eccentric (ratio) have parameters
 law-unknown-motion = unknown motion `{ $motion }`
     .help = { $nearest ->
         [none] the catalogue contains { $catalogue }
@@ -63,9 +63,9 @@ law-motion-type = `{ $motion }` is a type of motion of VDI 2143, not a law
        *[other] laws with these ends: { $laws }
     }
 law-motion-needs-points = the motion `{ $motion }` needs points
-    .help = write pairs x s as fractions of angle and lift, motion = "table 0 0 0.5 0.3 1 1", or the name of a CSV file, motion = "table lift.csv"
+    .help = write pairs of angle and lift as fractions of the segment, motion = "table 0 0 0.5 0.3 1 1", or name a CSV file, motion = "table lift.csv"
 law-motion-file = the motion `{ $motion }` names the file { $file }, which cannot be read here
-    .help = files can be named in the scene file or after --set; a sweep over motions requires the rows themselves, motion = "table 0 0 0.5 0.3 1 1"
+    .help = name files only in the scene file or after --set; for a sweep, write the rows themselves: motion = "table 0 0 0.5 0.3 1 1"
 law-general-degree = the conditions of a general polynomial of degree { $degree } cannot be divided equally between both ends
     .help = use degree 5 (joins s, v, a) or 7 (also j)
 law-scca-shares = the shares b = { $b }, c = { $c }, d = { $d } of an SCCA law do not add to 1

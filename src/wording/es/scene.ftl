@@ -69,9 +69,9 @@ scene-value-not-table = { $part } es un valor, no una tabla
 scene-file-and-model = solo se puede dar uno de file, model y harmonics
     .help = conserve uno: file = "walk.mot", model = "young" o harmonics = ["0.4", "0.1 at -90 deg"]
 scene-not-harmonic = "{ $typed }" no es un factor de carga con su fase
-    .help = escriba un texto por armónico: la amplitud como fracción del peso (cero o mayor) y la fase del seno: ["0.4", "0.1 at -90 deg"]
+    .help = escriba un texto por armónico con su amplitud (fracción del peso, cero o mayor) y la fase de su seno: ["0.4", "0.1 at -90 deg"]
 scene-not-learned-force = "{ $typed }" no es una fuerza con su fase
-    .help = escriba una lista de textos: la fuerza media y después la amplitud y la fase del seno de cada armónico de la vuelta de la leva, como ["0 N", "3.2 N at -90 deg"]
+    .help = escriba un texto para la fuerza media y uno para cada armónico con su amplitud y la fase de su seno: ["0 N", "3.2 N at -90 deg"]
 scene-learned-forces = la fuerza aprendida tiene { $given } armónicos, que son demasiados
     .help = dé la media y los primeros armónicos, como máximo { $most } textos
 scene-harmonics = { $given ->
@@ -126,7 +126,7 @@ scene-no-keyway-of-width = DIN 6885-1 no tiene chavetero de { $width }
 scene-keyway-too-wide = un chavetero de { $width } no cabe en un agujero de { $bore }
     .help = escriba "auto" para la anchura de DIN 6885-1
 scene-offset-reaches-prime = la excentricidad de { $offset } no es menor que el radio primario, { $prime }
-    .help = reduzca la excentricidad o aumente el radio primario
+    .help = reduzca cam.offset o aumente el radio primario
 scene-force-needs-turn = una fuerza objetivo requiere una ley de una vuelta, pero esta leva ({ $follower }) se traslada o tiene una ley de varias vueltas
     .help = use un seguidor sobre una leva de disco, o quite [gait] y dé un programa
 scene-length-needs-program = una ley sobre una longitud debe darse como programa
@@ -148,7 +148,7 @@ scene-motor-curve = el par del motor debe disminuir con su velocidad
 scene-motor-without-inertia = un motor requiere el momento de inercia de su eje
     .help = escriba por ejemplo inertia = "0.5 kg m^2" en [machine] para volante y rotor, reducidos al eje de la leva
 scene-points-of-fusion = Fusion lee los puntos en centímetros
-    .help = no indique la unidad
+    .help = omita --units
 scene-half-nameplate = un motor de inducción requiere rated_torque y rated_speed
     .help = escriba por ejemplo rated_torque = "5.1 N m" y rated_speed = "1395 rpm" en [machine.motor]
 scene-not-synchronous = la velocidad síncrona del motor debe ser mayor que su velocidad nominal

@@ -192,7 +192,7 @@ synth-certified = { $family ->
        *[other] proved: no law of this family is better within these limits
     }
 synth-uncertified = not certified as the optimum: { $why }
-synth-optimum = relative duality gap { $gap }, KKT residual { $kkt }, constraint violation { $violation }
+synth-optimum = relative duality gap { $gap }, optimality error { $kkt }, constraint violation { $violation }
 synth-no-sequence = not needed
 synth-sequence = { $count } convex programs
 synth-step-head = step   prime radius          objective   relative clearance   step length

@@ -192,7 +192,7 @@ synth-certified = { $family ->
        *[other] demostrado: ninguna ley de esta familia es mejor con estos límites
     }
 synth-uncertified = no se certifica como óptimo: { $why }
-synth-optimum = brecha de dualidad relativa { $gap }, residuo KKT { $kkt }, violación de restricciones { $violation }
+synth-optimum = brecha de dualidad relativa { $gap }, error de optimalidad { $kkt }, violación de restricciones { $violation }
 synth-no-sequence = no fue necesaria
 synth-sequence = { $count } programas convexos
 synth-step-head = paso radio primario           objetivo    holgura relativa      longitud

@@ -120,7 +120,7 @@ report-solved = { $how }: { $time }, { $iterations ->
 report-verified = All limits are verified on the continuous law.
 report-certified = No law of the family reduces the objective by more than one part in a million.
 report-uncertified = The law is not certified as the optimum: { $why }.
-report-certificate = Relative duality gap { $gap }; KKT residual { $stationarity }; constraint violation { $violation }.
+report-certificate = Relative duality gap { $gap }, optimality error { $stationarity }, constraint violation { $violation }.
 report-remarks = Remarks
 report-footer = Lengths are in { $unit ->
         [in] inches
@@ -233,7 +233,7 @@ report-resonance-damping = damping ratio
 report-resonance-recorded = recorded walk, m/s²
 report-resonance-cam = this cam, m/s²
 report-resonance-ratio = ratio
-report-resonance-note = Maximum RMS acceleration of a mode with a modal mass of 1 kg in steady vibration, for natural frequencies of 0.9 to 1.1 times the step frequency. The recorded walk is { $strides } consecutive strides ({ $frequency } Hz), repeated periodically; the cam turns at constant speed. The steps of a person vary, but those of a cam do not. gaitcam walk computes a speed programme that varies the steps of the cam.
+report-resonance-note = The table contains the maximum RMS acceleration of a mode with a modal mass of 1 kg in steady vibration. The natural frequency is 0.9 to 1.1 times the step frequency. The recorded walk is { $strides } consecutive strides ({ $frequency } Hz), repeated periodically. The cam turns at constant speed. The steps of a person vary, but those of a cam do not. gaitcam walk computes a speed programme that varies the steps of the cam.
 figure-speeds = the cam as manufactured at other speeds
 figure-cam-rpm = speed of the cam, rpm
 figure-cam-travel = speed of the cam, m/s
@@ -318,7 +318,7 @@ sheet-pitch-x = Pitch curve, x, mm
 sheet-pitch-y = Pitch curve, y, mm
 
 # The catalogue of rise laws.
-laws-use-constant-velocity = Use it between two laws with the same velocity, for example for the working stroke of a feed. Next to a dwell its velocity jumps: insert semiharmonic or semicycloidal ends.
+laws-use-constant-velocity = Use it between two laws with the same velocity, for example for the working stroke of a feed. Next to a dwell its velocity is discontinuous, so insert semiharmonic or semicycloidal ends there.
 laws-use-parabolic = Minimum peak acceleration of all laws for a given lift and time. Use it only at low speed, because the acceleration jumps at both ends and in the middle.
 laws-use-cubic = Simplest polynomial with rest at both ends; its acceleration is linear. Use it only at low speed, because the acceleration jumps at the ends.
 laws-use-simple-harmonic = Low peak values. Use it for a rise that is followed directly by an equal return. Next to a dwell the acceleration jumps.

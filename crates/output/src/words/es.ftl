@@ -120,7 +120,7 @@ report-solved = { $how }: { $time }, { $iterations ->
 report-verified = Todos los límites están verificados en la ley continua.
 report-certified = Ninguna ley de la familia reduce el objetivo en más de una parte en un millón.
 report-uncertified = La ley no se certifica como óptima: { $why }.
-report-certificate = Brecha dual relativa { $gap }; residuo KKT { $stationarity }; violación de restricciones { $violation }.
+report-certificate = Brecha de dualidad relativa { $gap }, error de optimalidad { $stationarity }, violación de restricciones { $violation }.
 report-remarks = Observaciones
 report-footer = Las longitudes están en { $unit ->
         [in] pulgadas
@@ -238,7 +238,7 @@ report-resonance-damping = amortiguamiento
 report-resonance-recorded = marcha registrada, m/s²
 report-resonance-cam = esta leva, m/s²
 report-resonance-ratio = cociente
-report-resonance-note = Máxima aceleración RMS de un modo con una masa modal de 1 kg en vibración estacionaria, para frecuencias naturales de 0,9 a 1,1 veces la frecuencia de paso. La marcha registrada son { $strides } zancadas consecutivas ({ $frequency } Hz), repetidas periódicamente; la leva gira a velocidad constante. Los pasos de una persona varían, pero los de una leva no. gaitcam walk calcula un programa de velocidad que varía los pasos de la leva.
+report-resonance-note = La tabla contiene la máxima aceleración RMS de un modo con una masa modal de 1 kg en vibración estacionaria. La frecuencia natural es de 0,9 a 1,1 veces la frecuencia de paso. La marcha registrada son { $strides } zancadas consecutivas ({ $frequency } Hz), repetidas periódicamente. La leva gira a velocidad constante. Los pasos de una persona varían, pero los de una leva no. gaitcam walk calcula un programa de velocidad que varía los pasos de la leva.
 figure-speeds = la leva fabricada, a otras velocidades
 figure-cam-rpm = velocidad de la leva, rpm
 figure-cam-travel = velocidad de la leva, m/s
@@ -323,7 +323,7 @@ sheet-pitch-x = Curva de paso, x, mm
 sheet-pitch-y = Curva de paso, y, mm
 
 # El catálogo de leyes de subida.
-laws-use-constant-velocity = Úsela entre dos leyes con la misma velocidad, por ejemplo para la carrera de trabajo de un avance. Junto a un detenimiento su velocidad salta: intercale extremos semiarmónicos o semicicloidales.
+laws-use-constant-velocity = Úsela entre dos leyes con la misma velocidad, por ejemplo para la carrera de trabajo de un avance. Junto a un detenimiento su velocidad es discontinua, así que intercale ahí extremos semiarmónicos o semicicloidales.
 laws-use-parabolic = Aceleración de pico mínima de todas las leyes para una elevación y un tiempo dados. Úsela solo a baja velocidad, porque la aceleración salta en los extremos y en el centro.
 laws-use-cubic = El polinomio más simple con reposo en ambos extremos; su aceleración es lineal. Úselo solo a baja velocidad, porque la aceleración salta en los extremos.
 laws-use-simple-harmonic = Valores de pico bajos. Úsela para una subida a la que sigue directamente un retorno igual. Junto a un detenimiento la aceleración salta.

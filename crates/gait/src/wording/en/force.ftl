@@ -91,8 +91,8 @@ note-low-force = no force exceeds { $peak }; if the forces are in body weights, 
 note-vertical-guessed = components { $vertical } and { $other } have similar magnitudes; { $vertical } is used as the vertical force
 note-feet-guessed = ground_force is used for the right foot, 1_ground_force for the left foot (convention of OpenSim's examples)
 note-no-plates = the file describes no force plate; analog channels are selected by their labels
-note-plate-type-unknown = plate { $plate } is ignored: TYPE { $kind } is not supported (supported: 1 to 7); to use the plate, name its force channel
-note-plate-channel-missing = plate { $plate } is ignored: its channel { $channel } is not in the file
+note-plate-type-unknown = plate { $plate } is ignored, because TYPE { $kind } is not supported (supported: 1 to 7); to use the plate, name its force channel
+note-plate-channel-missing = plate { $plate } is ignored, because its channel { $channel } is not in the file
 note-plate-matrix-missing = plate { $plate } is ignored: its calibration matrix is missing
 note-plate-tilted = plate { $plate } is not parallel to plate 1: at most one of their normal forces is vertical
 note-insole-mass = the mass of { $mass } is computed from the mean total force of the insoles, which are seldom calibrated; give the walker's mass
@@ -121,15 +121,15 @@ note-one-foot-for-both = { $stances ->
        *[other] { $stances } stances of one foot are averaged and
     } repeated half a stride apart for the other foot (gait.feet = "both"); gait.feet = "one" gives the force of one foot
 note-stride-assumed = the recording does not contain the stride time; { $period } is assumed, with a stance of { $duty } of the stride. Give the mass, the stride time or the angle of the stance (options mass, period and span)
-note-stride-implausible = the stride time of { $period } is outside the range of { $low } to { $high } for this movement: check the sampling rate (option rate) and the kind of movement (option kind)
-note-duty-implausible = the stance takes { $duty } of the stride, outside the range of { $low } to { $high } for this movement: check the kind of movement (option kind) and the sampling rate (option rate)
-note-peak-implausible = the peak force of a stance is { $ratio } body weights, outside the range of { $low } to { $high } for this movement: check the mass, the unit of force and the kind of movement (options mass, unit and kind)
+note-stride-implausible = the stride time of { $period } is implausible for this movement (range { $low } to { $high }): check the sampling rate and the kind (options rate and kind)
+note-duty-implausible = a stance of { $duty } of the stride is implausible for this movement (range { $low } to { $high }): check the kind and the sampling rate (options kind and rate)
+note-peak-implausible = a peak force of { $ratio } body weights is implausible for this movement (range { $low } to { $high }): check mass, unit and kind (options mass, unit and kind)
 note-mean-force-not-weight = the mean force over a stride is { $ratio } times { $share ->
         [half] half the
        *[whole] the
     } weight of { $mass }, but the expected ratio is 1: the mass, the unit of force or its calibration is wrong, or a foot is missing
 note-mass-implausible = a mean force of { $mean } over a stride corresponds to a walker of { $mass }: the unit of force or its calibration is wrong, or a foot is missing
-note-unit-unconfirmed = the unit of force is not given; in { $unit }, the mass would be { $mass }, which is implausible for an adult: give the unit or the mass (options unit and mass)
+note-unit-unconfirmed = the unit of force is not given, and { $unit } would result in an implausible mass of { $mass }: give the unit or the mass (options unit and mass)
 note-left-open = the file is the mean cycle of a recording for which this question was not answered
 note-clock-differs = the time column covers { $clock }, but the given period is { $period }: the times are scaled to the given period
 note-count-or-milliseconds = the time column has no unit and increases by 1. It counts samples, or it is in milliseconds and a stride takes { $stride }. Give the sampling rate (option rate)
@@ -142,7 +142,7 @@ note-kind-differs = kind { $typed } is given, but the contacts show { $movement 
        *[other] { kind-other }
     }
 note-speed-changes = the speed changes during the recording; the mean is computed from { $used } of { $stances } stances or steps that last { $low } to { $high }, the largest group of one speed
-note-few-alike = only { $used } of { $stances } contacts of a steady walk have a similar duration; the others are partial contacts or include the other foot, and are excluded
+note-few-alike = only { $used } of { $stances } contacts of a steady walk have a similar duration; the others are excluded (partial contacts, or contacts of both feet)
 note-stances-differ = the stances differ by { $share }; at most { $most } is expected (share of the body weight, or of the mean impulse of both feet). Possible causes: partial contacts, cross-talk, two feet on one plate, or feet that differ. Give the mass (option mass), or name the columns of whole stances (option force)
 note-total-column = the column is used as the total force of both feet
 note-plates-summed = the feet move from plate to plate, so the mean cycle is computed from the sum of { $plates } plates, which always carry the walker

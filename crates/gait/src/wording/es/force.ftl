@@ -91,8 +91,8 @@ note-low-force = ninguna fuerza supera { $peak }; si las fuerzas están en pesos
 note-vertical-guessed = las componentes { $vertical } y { $other } son de magnitud similar; { $vertical } se usa como fuerza vertical
 note-feet-guessed = ground_force se usa para el pie derecho y 1_ground_force para el izquierdo (convenio de los ejemplos de OpenSim)
 note-no-plates = el archivo no describe ninguna plataforma de fuerza; los canales analógicos se eligen por sus etiquetas
-note-plate-type-unknown = se omite la plataforma { $plate }: TYPE { $kind } no se admite (se admiten 1 a 7); para usarla, indique su canal de fuerza
-note-plate-channel-missing = se omite la plataforma { $plate }: su canal { $channel } no está en el archivo
+note-plate-type-unknown = se omite la plataforma { $plate }, porque TYPE { $kind } no se admite (se admiten 1 a 7); para usarla, indique su canal de fuerza
+note-plate-channel-missing = se omite la plataforma { $plate }, porque su canal { $channel } no está en el archivo
 note-plate-matrix-missing = se omite la plataforma { $plate }: falta su matriz de calibración
 note-plate-tilted = la plataforma { $plate } no es paralela a la plataforma 1: como máximo una de sus fuerzas normales es vertical
 note-insole-mass = la masa de { $mass } se calcula con la fuerza total media de las plantillas, que rara vez están calibradas; indique la masa de la persona
@@ -121,15 +121,15 @@ note-one-foot-for-both = { $stances ->
        *[other] { $stances } apoyos de un pie se promedian y se repiten
     } con medio ciclo de diferencia para el otro pie (gait.feet = "both"); gait.feet = "one" da la fuerza de un pie
 note-stride-assumed = el registro no contiene la duración de la zancada; se supone { $period }, con un apoyo del { $duty } de la zancada. Indique la masa, la duración de la zancada o el ángulo del apoyo (opciones mass, period y span)
-note-stride-implausible = la zancada de { $period } está fuera del intervalo de { $low } a { $high } de este movimiento: compruebe la frecuencia de muestreo (opción rate) y el tipo de movimiento (opción kind)
-note-duty-implausible = el apoyo ocupa { $duty } de la zancada, fuera del intervalo de { $low } a { $high } de este movimiento: compruebe el tipo de movimiento (opción kind) y la frecuencia de muestreo (opción rate)
-note-peak-implausible = la fuerza máxima de un apoyo es { $ratio } pesos corporales, fuera del intervalo de { $low } a { $high } de este movimiento: compruebe la masa, la unidad de fuerza y el tipo de movimiento (opciones mass, unit y kind)
+note-stride-implausible = la zancada de { $period } no es verosímil en este movimiento (intervalo de { $low } a { $high }): compruebe la frecuencia de muestreo y el tipo (opciones rate y kind)
+note-duty-implausible = un apoyo de { $duty } de la zancada no es verosímil en este movimiento (intervalo de { $low } a { $high }): compruebe el tipo y la frecuencia de muestreo (opciones kind y rate)
+note-peak-implausible = una fuerza máxima de { $ratio } pesos corporales no es verosímil en este movimiento (intervalo de { $low } a { $high }): compruebe masa, unidad y tipo (opciones mass, unit y kind)
 note-mean-force-not-weight = la fuerza media de una zancada es { $ratio } veces { $share ->
         [half] la mitad del
        *[whole] el
     } peso de { $mass }, pero la razón esperada es 1: la masa, la unidad de fuerza o su calibración es incorrecta, o falta un pie
 note-mass-implausible = una fuerza media de { $mean } en una zancada corresponde a una persona de { $mass }: la unidad de fuerza o su calibración es incorrecta, o falta un pie
-note-unit-unconfirmed = no se da la unidad de fuerza; en { $unit } la masa sería { $mass }, que no es verosímil en un adulto: indique la unidad o la masa (opciones unit y mass)
+note-unit-unconfirmed = no se da la unidad de fuerza, y { $unit } daría una masa inverosímil de { $mass }: indique la unidad o la masa (opciones unit y mass)
 note-left-open = el archivo es el ciclo medio de un registro para el que no se respondió esta pregunta
 note-clock-differs = la columna de tiempo abarca { $clock }, pero el período dado es { $period }: los tiempos se escalan al período dado
 note-count-or-milliseconds = la columna de tiempo no tiene unidad y aumenta de 1 en 1. Cuenta muestras, o está en milisegundos y una zancada dura { $stride }. Indique la frecuencia de muestreo (opción rate)
@@ -142,7 +142,7 @@ note-kind-differs = se indica kind { $typed }, pero los contactos muestran { $mo
        *[other] { kind-other }
     }
 note-speed-changes = la velocidad cambia durante el registro; la media se calcula con { $used } de { $stances } apoyos o pasos que duran de { $low } a { $high }, el mayor grupo de una misma velocidad
-note-few-alike = solo { $used } de { $stances } contactos de una marcha regular tienen una duración similar; los demás son contactos parciales o incluyen el otro pie, y se excluyen
+note-few-alike = solo { $used } de { $stances } contactos de una marcha regular tienen una duración similar; los demás se excluyen (contactos parciales o de ambos pies)
 note-stances-differ = los apoyos difieren en { $share }; se espera como máximo { $most } (parte del peso corporal, o del impulso medio de ambos pies). Causas posibles: contactos parciales, diafonía, dos pies en una plataforma o pies distintos. Indique la masa (opción mass) o las columnas de apoyos enteros (opción force)
 note-total-column = la columna se usa como la fuerza total de ambos pies
 note-plates-summed = los pies pasan de una plataforma a otra, así que el ciclo medio se calcula con la suma de { $plates } plataformas, que siempre soportan a la persona
