@@ -93,8 +93,8 @@ model-no-mass = the fluid column deflects without vibration
 model-harmonics = the first natural frequency is { $frequency }, { $ratio } times the shaft frequency; vibration would change the force by { $part } of the mean (RMS)
 
 # What to know of a run.
-run-second-cam-bears = the second cam carries the load, at most { $force }, for { $part } of the cycle; at each change between the cams the follower moves through the clearance
-run-other-wall-bears = the opposite wall of the groove carries the load, at most { $force }, for { $part } of the cycle; at each change between the walls the follower moves through the clearance
+run-second-cam-bears = the second cam carries the load, at most { $force }, for { $part } of the cycle; the follower moves through the clearance at each change
+run-other-wall-bears = the opposite wall of the groove carries the load, at most { $force }, for { $part } of the cycle; the follower moves through the clearance at each change
 run-rigid-pulls = the rigid model permits a negative contact force; use the contact model to compute the lift-off
 run-rigid-without-impacts = the rigid model does not include the impacts where the load changes from one cam to the other
 run-flexible-pulls = the vibrating follower loses contact; the flexible model permits a negative contact force there

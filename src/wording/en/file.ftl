@@ -1,7 +1,7 @@
 # Faults in reading scenes and recordings and in putting results into folders.
 file-cannot-read = { $fault ->
         [missing] the file or folder does not exist
-        [denied] no permission to read
+        [denied] there is no permission to read
        *[other] cannot be read ({ $fault })
     }
     .help = check the path

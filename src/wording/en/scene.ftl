@@ -4,7 +4,7 @@ scene-output-name = "{ $typed }" is not a valid name for an output folder
     .help = use letters, digits, - and _
 scene-no-such-key = unknown key
     .help = { $nearest ->
-        [none] the keys here are { $known }
+        [none] the keys of this section are { $known }
        *[other] did you mean "{ $nearest }"?
     }
 scene-not-of-follower = this key does not apply to this follower ({ $follower })

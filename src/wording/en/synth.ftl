@@ -21,7 +21,7 @@ reason-base-radius-works = This law requires a base radius of { $radius }.
 reason-enlarge-base-circle = Enlarge the base circle (cam.base_radius), or use a smaller roller (cam.roller_radius).
 reason-lengthen-travel = Increase the length of travel (cam.travel), or use a smaller roller (cam.roller_radius).
 reason-interference = At { $at } the follower interferes with another part of the cam by { $depth }. Use a smaller roller (cam.roller_radius), or enlarge the base circle (cam.base_radius).
-reason-sharp-wall = The radius of curvature of a groove wall at { $at } is { $radius }; the minimum is { $allowed }. Use a smaller roller, or a larger cylinder.
+reason-sharp-wall = The radius of curvature of a groove wall at { $at } is { $radius }; the minimum is { $allowed }. Use a smaller roller (cam.roller_radius), or a larger cylinder (cam.base_radius).
 reason-roller-too-large = The roller does not fit the concave profile at { $at }: the roller radius is { $roller }, but the radius of curvature is { $hollow }. Set a smaller cam.roller_radius.
 reason-pressure-angle = The pressure angle reaches { $angle } at { $at }; the maximum is { $allowed }. The follower may jam in its guide. Enlarge the prime circle (cam.prime_radius or cam.base_radius).
 reason-large-pressure-angle = The pressure angle reaches { $angle } at { $at }; angles above { $usual } are for low speed only. Enlarge the prime circle (cam.prime_radius or cam.base_radius), or set limits.pressure_angle.
@@ -38,7 +38,7 @@ reason-limit-broken = The limit { $limit } is violated at { $at }: the value is 
 # Notes on problem and design, in addition to the verdict.
 design-scene = { $note }
 design-recording = { $note }
-design-stretched = One turn takes { $turn }, but the force cycle takes { $cycle }; the force curve is stretched to the turn.
+design-stretched = One turn takes { $turn }, but the force cycle takes { $cycle }. The force curve is stretched to the turn.
 design-rounded-table = The lifts in the table of segment { $segment } are rounded. The rounding errors can cause up to { $share } of the maximum acceleration of the segment. Give lifts with more decimals.
 design-not-judged = { $key } = "none" switches the default limit off.
 design-mean-force = The mean target force is { $mean }, but the weight of the mass is { $weight }. A cam cannot change the mean force over a turn, so the force error is at least { $error } RMS. Set drive.mass = "auto" or gait.scale = "to-mass".

@@ -1,17 +1,17 @@
 # Faults in writing the files of a design.
 write-folder-refuses = { $fault ->
         [missing] the folder does not exist and cannot be created
-        [denied] no permission to write here
+        [denied] there is no permission to write here
         [read-only] the file system is read-only
-        [full] no space left on the device
+        [full] there is no space left on the device
        *[other] cannot write into this folder ({ $fault })
     }
     .help = choose another folder with --out DIR
 write-file-refuses = { $fault ->
         [missing] the folder does not exist and cannot be created
-        [denied] no permission to write here
+        [denied] there is no permission to write here
         [read-only] the file system is read-only
-        [full] no space left on the device
+        [full] there is no space left on the device
        *[other] cannot be written ({ $fault })
     }
 write-not-put-together = the file could not be created: { $fault }

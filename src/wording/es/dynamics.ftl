@@ -99,8 +99,8 @@ model-no-mass = la columna de fluido se deforma sin vibrar
 model-harmonics = la primera frecuencia natural es { $frequency }, { $ratio } veces la frecuencia del eje; la vibración cambiaría la fuerza un { $part } de la media (RMS)
 
 # Qué conviene saber de una simulación.
-run-second-cam-bears = la segunda leva soporta la carga, como máximo { $force }, durante el { $part } del ciclo; en cada cambio de leva el seguidor recorre el juego
-run-other-wall-bears = la pared opuesta de la ranura soporta la carga, como máximo { $force }, durante el { $part } del ciclo; en cada cambio de pared el seguidor recorre el juego
+run-second-cam-bears = la segunda leva soporta la carga, como máximo { $force }, durante el { $part } del ciclo; en cada cambio el seguidor recorre el juego
+run-other-wall-bears = la pared opuesta de la ranura soporta la carga, como máximo { $force }, durante el { $part } del ciclo; en cada cambio el seguidor recorre el juego
 run-rigid-pulls = el modelo rígido admite una fuerza de contacto negativa; use el modelo de contacto para calcular la pérdida de contacto
 run-rigid-without-impacts = el modelo rígido no incluye los impactos donde la carga pasa de una leva a la otra
 run-flexible-pulls = el seguidor que vibra pierde el contacto; el modelo flexible admite ahí una fuerza de contacto negativa

@@ -4,7 +4,7 @@ scene-output-name = «{ $typed }» no es un nombre válido de carpeta de salida
     .help = use letras, cifras, - y _
 scene-no-such-key = clave desconocida
     .help = { $nearest ->
-        [none] las claves aquí son { $known }
+        [none] las claves de esta sección son { $known }
        *[other] ¿quiso decir «{ $nearest }»?
     }
 scene-not-of-follower = esta clave no se aplica a este seguidor ({ $follower })

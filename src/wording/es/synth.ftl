@@ -21,7 +21,7 @@ reason-base-radius-works = Esta ley necesita un radio base de { $radius }.
 reason-enlarge-base-circle = Aumente el círculo base (cam.base_radius) o use un rodillo más pequeño (cam.roller_radius).
 reason-lengthen-travel = Aumente la longitud del recorrido (cam.travel) o use un rodillo más pequeño (cam.roller_radius).
 reason-interference = En { $at } el seguidor interfiere con otra parte de la leva en { $depth }. Use un rodillo más pequeño (cam.roller_radius) o aumente el círculo base (cam.base_radius).
-reason-sharp-wall = El radio de curvatura de una pared de la ranura en { $at } es { $radius }; el mínimo es { $allowed }. Use un rodillo más pequeño o un cilindro mayor.
+reason-sharp-wall = El radio de curvatura de una pared de la ranura en { $at } es { $radius }; el mínimo es { $allowed }. Use un rodillo más pequeño (cam.roller_radius) o un cilindro mayor (cam.base_radius).
 reason-roller-too-large = El rodillo no cabe en el perfil cóncavo en { $at }: el radio del rodillo es { $roller } y el de curvatura { $hollow }. Fije un cam.roller_radius menor.
 reason-pressure-angle = El ángulo de presión alcanza { $angle } en { $at }; el máximo es { $allowed }. El seguidor puede acuñarse en su guía. Aumente el círculo primario (cam.prime_radius o cam.base_radius).
 reason-large-pressure-angle = El ángulo de presión alcanza { $angle } en { $at }; los ángulos de más de { $usual } solo valen a baja velocidad. Aumente el círculo primario (cam.prime_radius o cam.base_radius) o fije limits.pressure_angle.
@@ -38,7 +38,7 @@ reason-limit-broken = No se cumple el límite «{ $limit }» en { $at }: el valo
 # Notas sobre el problema y el diseño, además del veredicto.
 design-scene = { $note }
 design-recording = { $note }
-design-stretched = Una vuelta dura { $turn }, pero el ciclo de fuerza dura { $cycle }; la curva de fuerza se adapta a la vuelta.
+design-stretched = Una vuelta dura { $turn }, pero el ciclo de fuerza dura { $cycle }. La curva de fuerza se adapta a la vuelta.
 design-rounded-table = Las elevaciones de la tabla del segmento { $segment } están redondeadas. Los errores de redondeo pueden causar hasta el { $share } de la aceleración máxima del segmento. Dé elevaciones con más decimales.
 design-not-judged = { $key } = "none": desactiva el límite habitual.
 design-mean-force = La fuerza objetivo media es { $mean }, pero el peso de la masa es { $weight }. Una leva no puede cambiar la fuerza media de una vuelta, de modo que el error de fuerza es como mínimo { $error } RMS. Fije drive.mass = "auto" o gait.scale = "to-mass".

@@ -30,7 +30,7 @@ cli-scene-not-recording = the file is a scene, not a recording
     .help = use gaitcam synth or gaitcam doctor for the scene, or give the recording in its key gait.file
 cli-no-key-contains = no key contains "{ $pattern }"
 cli-input-time = the input was not read within { $limit } s
-    .help = end the input, or allow more time
+    .help = end the input, or set a longer --time-limit
 cli-no-model = "{ $typed }" is not a model
     .help = write auto, rigid, flexible or contact
 cli-no-walk = the design has no recording with eight or more consecutive strides
@@ -87,7 +87,7 @@ cli-partial-rows = the folder contains { $rows } rows of an interrupted sweep
 cli-not-partial = the folder is not the partial table of a sweep
     .help = move the folder, or choose another --out
 cli-rows-safe = cannot be written ({ $fault })
-    .help = it contains { $rows } complete rows: free disk space and continue with --resume
+    .help = the table contains { $rows } complete rows: free disk space and continue with --resume
 cli-all-rows-safe = cannot be written ({ $fault })
     .help = all rows are saved in the same folder: free disk space and continue with --resume
 cli-cannot-repair = cannot be repaired ({ $fault })
@@ -275,9 +275,9 @@ front-none-built = { $file }: no design was built
 front-none-feasible = { $file }: no design is acceptable (--all includes unacceptable designs)
 front-counts = { $file }: { $candidates } of { $seen } designs are admissible; { $front } of them are non-dominated
 front-missing = { $count ->
-        [one] row { $list } is not in the folder
-       *[other] { $count } rows are not in the folder ({ $list })
-    } and are not part of the front. Start the same sweep again to compute the missing rows
+        [one] row { $list } is missing in the folder and in the front
+       *[other] { $count } rows are missing in the folder and in the front ({ $list })
+    }. Start the same sweep again to compute the missing rows
 front-low-speed = { $count ->
         [one] one design that is not for high speed is
        *[other] { $count } designs that are not for high speed are

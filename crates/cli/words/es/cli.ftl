@@ -30,7 +30,7 @@ cli-scene-not-recording = el archivo es una escena, no un registro
     .help = use gaitcam synth o gaitcam doctor para la escena, o indique el registro de su clave gait.file
 cli-no-key-contains = ninguna clave contiene "{ $pattern }"
 cli-input-time = la entrada no se leyó en { $limit } s
-    .help = termine la entrada, o permita más tiempo
+    .help = termine la entrada, o fije un --time-limit mayor
 cli-no-model = "{ $typed }" no es un modelo
     .help = escriba auto, rigid, flexible o contact
 cli-no-walk = el diseño no tiene un registro con ocho o más zancadas consecutivas
@@ -87,7 +87,7 @@ cli-partial-rows = la carpeta contiene { $rows } filas de un barrido interrumpid
 cli-not-partial = la carpeta no es la tabla parcial de un barrido
     .help = mueva la carpeta, o elija otro --out
 cli-rows-safe = no se puede escribir ({ $fault })
-    .help = contiene { $rows } filas completas: libere espacio y continúe con --resume
+    .help = la tabla contiene { $rows } filas completas: libere espacio y continúe con --resume
 cli-all-rows-safe = no se puede escribir ({ $fault })
     .help = todas las filas están guardadas en la misma carpeta: libere espacio y continúe con --resume
 cli-cannot-repair = no se puede reparar ({ $fault })
@@ -275,9 +275,9 @@ front-none-built = { $file }: no se construyó ningún diseño
 front-none-feasible = { $file }: ningún diseño es aceptable (--all incluye los inaceptables)
 front-counts = { $file }: { $candidates } de { $seen } diseños son admisibles; { $front } de ellos son no dominados
 front-missing = { $count ->
-        [one] la fila { $list } no está en la carpeta
-       *[other] { $count } filas no están en la carpeta ({ $list })
-    } y no forman parte del frente. Inicie de nuevo el mismo barrido para calcular las filas que faltan
+        [one] la fila { $list } falta en la carpeta y en el frente
+       *[other] { $count } filas faltan en la carpeta y en el frente ({ $list })
+    }. Inicie de nuevo el mismo barrido para calcular las filas que faltan
 front-low-speed = { $count ->
         [one] se omite un diseño que no es
        *[other] se omiten { $count } diseños que no son

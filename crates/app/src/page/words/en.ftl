@@ -18,7 +18,7 @@ fault-no-file = this design has no file { $name }
 fault-no-entry = { $list } has no entry { $number }
 fault-port = cannot listen on port { $port } ({ $fault })
     .help = choose another port with --port, or omit --port to use a free one
-fault-no-cycle = the force of this scene is not one mean cycle
+fault-no-cycle = this scene does not have a single mean cycle of force
 fault-contour = the columns of this file describe the contour of a cam, not a force: { $columns }
     .help = choose a recording with a column of vertical force
 fault-few-points = a force needs between 3 and 400 points with finite times and forces
@@ -183,8 +183,8 @@ studio-colour-hertz = Hertz pressure
 studio-colour-undefined = Not defined for this design.
 
 # Diagrams.
-studio-units = lengths in
-studio-speeds = speeds in
+studio-units = length unit
+studio-speeds = speed unit
 studio-show = Show
 studio-present = Presentation: large text, one diagram and the cam
 studio-enlarge = Enlarge this diagram. In a diagram, the keys + and − zoom at the cursor and 0 shows the whole turn.

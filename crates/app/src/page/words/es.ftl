@@ -18,7 +18,7 @@ fault-no-file = este diseño no tiene ningún archivo { $name }
 fault-no-entry = { $list } no tiene la entrada { $number }
 fault-port = no se puede escuchar en el puerto { $port } ({ $fault })
     .help = elija otro puerto con --port, u omita --port para usar uno libre
-fault-no-cycle = la fuerza de esta escena no es un único ciclo medio
+fault-no-cycle = esta escena no tiene un único ciclo medio de fuerza
 fault-contour = las columnas de este archivo describen el contorno de una leva, no una fuerza: { $columns }
     .help = elija un registro con una columna de fuerza vertical
 fault-few-points = una fuerza necesita de 3 a 400 puntos con tiempos y fuerzas finitos
@@ -183,8 +183,8 @@ studio-colour-hertz = presión de Hertz
 studio-colour-undefined = No definido para este diseño.
 
 # Diagramas.
-studio-units = longitudes en
-studio-speeds = velocidades en
+studio-units = unidad de longitud
+studio-speeds = unidad de velocidad
 studio-show = Mostrar
 studio-present = Presentación: letra grande, un diagrama y la leva
 studio-enlarge = Mostrar este diagrama en grande; en un diagrama + y − amplían en torno al cursor, 0 muestra la vuelta entera
