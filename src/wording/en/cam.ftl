@@ -31,7 +31,7 @@ cam-arm-reach = the arm of { $arm } { $fault ->
     } the prime circle of radius { $prime } from a pivot at { $pivot }
     .help = the length of the arm must lie between { $least } and { $most }
 cam-swing = the arm swings from { $from } to { $to }, beyond its dead centres at { $dead }
-    .help = from its start at { $start } it may rise by less than { $rise } and fall by less than { $fall }
+    .help = from its start at { $start }, the arm must rise by less than { $rise } and fall by less than { $fall }
 cam-face-speed = at { $at } the angular velocity of the arm is { $speed } rad/rad, not less than that of the cam
     .help = a flat face has no contact point there: spread this motion over a larger cam angle
 cam-pivot-inside = the pivot at { $pivot } lies inside the cam, whose profile radius is { $reach } at { $at }

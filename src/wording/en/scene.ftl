@@ -142,7 +142,7 @@ scene-frequency-and-stiffness = natural_frequency already defines the stiffness 
 scene-motor-line = a motor needs one of slope, stall_torque, rated_torque and curve
     .help = write for example slope = "10 N m s/rad" under [machine.motor], the decrease of torque per rad/s at the camshaft
 scene-no-load-without-stall = a no-load speed requires a stall_torque
-    .help = give stall_torque and no_load_speed, or only slope; with slope, the no-load speed is computed
+    .help = give stall_torque and no_load_speed, or only slope (the no-load speed is then computed)
 scene-points-of-fusion = Fusion reads points in centimetres
     .help = omit --units
 scene-half-nameplate = an induction motor requires both rated_torque and rated_speed

@@ -2,7 +2,7 @@
 sweep-no-assignment = "{ $typed }" does not have the form KEY=VALUES
     .help = write KEY=VALUES, for example limits.stroke=20 mm:60 mm:5 or law.family=spline,harmonic
 sweep-no-values = the grid is empty: no value is given
-    .help = write at least one value between commas, or START:STOP:COUNT
+    .help = write values separated by commas, or START:STOP:COUNT
 sweep-sampled-count = a sampled range has no count
     .help = write START:STOP
 sweep-no-count = a range of a grid has no count
@@ -18,7 +18,7 @@ sweep-too-many-rows = { $rows } combinations are too many to compute
 sweep-list-lengths = the list has { $values } values of "{ $key }", but { $first } values of the first key
     .help = give every key of a list the same number of values
 sweep-not-carried = this file is not among the recordings of this sweep
-sweep-scatter-alone = cannot be combined with another variation, because it applies to one design
+sweep-scatter-alone = tolerances cannot be combined with another variation, because they apply to one design
 sweep-no-design = the scene has no feasible cam, so tolerances cannot be applied
     .help = relax its limits as suggested in the summary of the design
 sweep-out-of-time = the time limit ended the search for this design

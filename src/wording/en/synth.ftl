@@ -71,7 +71,7 @@ synth-adjusts-given = { $key } is given, but gait.adjust sets it for each walker
     .help = omit { $key }, or remove it from gait.adjust
 synth-mass-not-adjustable = with this drive, the mass does not balance the weight of a walker
     .help = remove "mass" from gait.adjust, or set drive.kind = "moving-axis"
-synth-speed-not-adjustable = the force of this drive does not scale with the speed, because spring, damping and inertia forces depend on it differently
+synth-speed-not-adjustable = the force of this drive does not scale with the speed, because its spring, damping and inertia forces scale differently
     .help = remove "speed" from gait.adjust and give drive.speed
 synth-not-of-population = this setting is not available for several walkers
     .help = give one cycle, or omit the setting; law.robust requires the objective force-error and law.family = "spline" or "harmonic", or no law.family
@@ -120,7 +120,7 @@ synth-degree-too-high = { $conditions } conditions fix a polynomial of degree { 
 synth-many-demands = points and dwells give { $given } conditions on one law; at most { $most } can be solved
     .help = give a measured curve as a force or a band, or omit points
 synth-law-open = the law ends { $rise } above its start, so it is not closed
-    .help = give the last point the lift of the first point
+    .help = set the lift of the last point to the lift of the first point
 synth-force-gives-no-lift = with this drive a force does not determine a lift
     .help = give the lift of the point, or set drive.kind = "hydraulic"
 synth-points-empty = the points give no condition

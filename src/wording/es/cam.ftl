@@ -31,7 +31,7 @@ cam-arm-reach = el brazo de { $arm } { $fault ->
     } el círculo primario de radio { $prime } desde un pivote a { $pivot }
     .help = la longitud del brazo debe estar entre { $least } y { $most }
 cam-swing = el brazo oscila de { $from } a { $to }, más allá de sus puntos muertos en { $dead }
-    .help = desde su posición inicial de { $start } puede subir menos de { $rise } y bajar menos de { $fall }
+    .help = desde su inicio en { $start }, el brazo debe subir menos de { $rise } y bajar menos de { $fall }
 cam-face-speed = en { $at } la velocidad angular del brazo es { $speed } rad/rad, no menor que la de la leva
     .help = una cara plana no tiene ahí punto de contacto: reparta este movimiento en un ángulo de leva mayor
 cam-pivot-inside = el pivote a { $pivot } queda dentro de la leva, cuyo radio de perfil es { $reach } en { $at }

@@ -142,7 +142,7 @@ scene-frequency-and-stiffness = natural_frequency ya define la rigidez del tren 
 scene-motor-line = un motor necesita uno de slope, stall_torque, rated_torque y curve
     .help = escriba por ejemplo slope = "10 N m s/rad" en [machine.motor], la disminución del par por rad/s en el eje de la leva
 scene-no-load-without-stall = una velocidad en vacío requiere un stall_torque
-    .help = indique stall_torque y no_load_speed, o solo slope; con slope se calcula la velocidad en vacío
+    .help = indique stall_torque y no_load_speed, o solo slope (la velocidad sin carga se calcula entonces)
 scene-motor-curve = el par del motor debe disminuir con su velocidad
     .help = dé al menos dos filas con velocidades crecientes y pares decrecientes: un archivo con las columnas speed_rad_per_s y torque_n_m, o parejas como "0 50 10 20 12 -4"
 scene-motor-without-inertia = un motor requiere el momento de inercia de su eje

@@ -32,7 +32,7 @@ ended-small-gain = los pasos mejoran el objetivo en menos de una parte en diez m
 doubt-limits = un límite se supera en más de la tolerancia del método
 doubt-gap = no se pudo cerrar la brecha de dualidad hasta una parte en un millón
 doubt-touching-angle = el ángulo en que la ley toca el círculo base se obtuvo por búsqueda, sin demostrar que sea el mejor
-doubt-left-out = no se encontró ninguna ley que cumpla los límites no convexos; esta ley no los incluye
+doubt-left-out = esta ley no tiene en cuenta los límites no convexos, porque no se encontró ninguna ley que los cumpla
 doubt-fixed-motion = es el óptimo para un movimiento dado del eje y del suelo; no se compararon leyes que causan otro movimiento
 doubt-local = el problema no es convexo y solo se obtiene un óptimo local; la brecha se refiere a la mejor cota inferior conocida
 

@@ -2,7 +2,7 @@
 sweep-no-assignment = «{ $typed }» no tiene la forma CLAVE=VALORES
     .help = escriba CLAVE=VALORES, por ejemplo limits.stroke=20 mm:60 mm:5 o law.family=spline,harmonic
 sweep-no-values = la rejilla está vacía: no se da ningún valor
-    .help = escriba al menos un valor entre comas, o INICIO:FIN:CANTIDAD
+    .help = escriba valores separados por comas, o INICIO:FIN:N
 sweep-sampled-count = un intervalo que se muestrea no lleva cantidad
     .help = escriba INICIO:FIN
 sweep-no-count = el intervalo de una rejilla no tiene cantidad
@@ -18,7 +18,7 @@ sweep-too-many-rows = { $rows } combinaciones son demasiadas para calcularlas
 sweep-list-lengths = la lista tiene { $values } valores de "{ $key }", pero { $first } valores de la primera clave
     .help = dé a cada clave de una lista el mismo número de valores
 sweep-not-carried = este archivo no está entre los registros de este barrido
-sweep-scatter-alone = no se puede combinar con otra variación, porque se aplica a un solo diseño
+sweep-scatter-alone = las tolerancias no se pueden combinar con otra variación, porque se aplican a un solo diseño
 sweep-no-design = la escena no tiene una leva factible, así que no se pueden aplicar tolerancias
     .help = relaje sus límites como se sugiere en el resumen del diseño
 sweep-out-of-time = el límite de tiempo terminó la búsqueda de este diseño

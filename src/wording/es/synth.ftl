@@ -71,7 +71,7 @@ synth-adjusts-given = se da { $key }, pero gait.adjust lo fija para cada caminan
     .help = omita { $key }, o quítelo de gait.adjust
 synth-mass-not-adjustable = la masa de este accionamiento no soporta el peso del caminante
     .help = quite "mass" de gait.adjust, o fije drive.kind = "moving-axis"
-synth-speed-not-adjustable = la fuerza de este accionamiento no cambia con la velocidad por un solo factor, porque las fuerzas del muelle, del amortiguamiento y de inercia dependen de ella de modo distinto
+synth-speed-not-adjustable = la fuerza de este accionamiento no cambia con la velocidad por un solo factor, porque las fuerzas del muelle, del amortiguamiento y de inercia tienen factores distintos
     .help = quite "speed" de gait.adjust y dé drive.speed
 synth-not-of-population = este ajuste no está disponible para varios caminantes
     .help = dé un solo ciclo u omita el ajuste; law.robust requiere el objetivo force-error y law.family = "spline" o "harmonic", o ningún law.family
@@ -120,7 +120,7 @@ synth-degree-too-high = { $conditions } condiciones fijan un polinomio de grado 
 synth-many-demands = los puntos y los detenimientos dan { $given } condiciones a una sola ley; se resuelven como máximo { $most }
     .help = dé una curva medida como fuerza o como banda, u omita puntos
 synth-law-open = la ley termina { $rise } por encima de su inicio y no está cerrada
-    .help = dé al último punto la elevación del primero
+    .help = fije en el último punto la elevación del primero
 synth-force-gives-no-lift = con este accionamiento una fuerza no determina una elevación
     .help = indique la elevación del punto, o fije drive.kind = "hydraulic"
 synth-points-empty = los puntos no dan ninguna condición

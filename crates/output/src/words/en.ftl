@@ -319,29 +319,29 @@ sheet-pitch-y = Pitch curve, y, mm
 
 # The catalogue of rise laws.
 laws-use-constant-velocity = Use it between two laws with the same velocity, for example for the working stroke of a feed. Next to a dwell its velocity is discontinuous, so insert semiharmonic or semicycloidal ends there.
-laws-use-parabolic = Minimum peak acceleration of all laws for a given lift and time. Use it only at low speed, because the acceleration jumps at both ends and in the middle.
-laws-use-cubic = Simplest polynomial with rest at both ends; its acceleration is linear. Use it only at low speed, because the acceleration jumps at the ends.
-laws-use-simple-harmonic = Low peak values. Use it for a rise that is followed directly by an equal return. Next to a dwell the acceleration jumps.
+laws-use-parabolic = It has the minimum peak acceleration of all laws for a given lift and time. Use it only at low speed, because the acceleration is discontinuous at both ends and in the middle.
+laws-use-cubic = It is the simplest polynomial with rest at both ends. Use it only at low speed, because the acceleration is discontinuous at the ends.
+laws-use-simple-harmonic = Its peak values are low. Use it for a rise that is followed directly by an equal return. Next to a dwell its acceleration is discontinuous.
 laws-use-double-harmonic = Use it for a rise from a dwell that is followed directly by its return. The start is at rest; at the top, rise and return have the same acceleration.
 laws-use-cycloidal = Use it between dwells at moderate and high speed. The acceleration is continuous and the jerk is finite. The peak acceleration is high.
-laws-use-semiharmonic-start = Leads from rest to a constant velocity with a low peak acceleration. Its acceleration at the start is not zero, so it can follow a fall that ends with the same acceleration.
-laws-use-semiharmonic-end = Leads from a constant velocity to rest with a low peak acceleration. Its acceleration at the end is not zero, so a return must start with the same acceleration.
-laws-use-semicycloidal-start = Leads from a dwell to a constant velocity with continuous acceleration.
-laws-use-semicycloidal-end = Leads from a constant velocity to a dwell with continuous acceleration.
-laws-use-modified-trapezoid = Low and continuous acceleration. Use it for light followers that are limited by the inertia force.
-laws-use-modified-sine = Low peak velocity and torque, continuous acceleration. Use it for heavy rotary tables and large masses.
-laws-use-scca = Family that includes modified trapezoid, modified sine and cycloidal. Use the shares b, c and d to balance acceleration against velocity.
-laws-use-3-4-5 = Usual polynomial between dwells. The acceleration is continuous, the peak values are moderate, and the cam is easy to manufacture.
+laws-use-semiharmonic-start = It leads from rest to a constant velocity with a low peak acceleration. Its acceleration at the start is not zero, so it can follow a fall that ends with the same acceleration.
+laws-use-semiharmonic-end = It leads from a constant velocity to rest with a low peak acceleration. Its acceleration at the end is not zero, so a return must start with the same acceleration.
+laws-use-semicycloidal-start = It leads from a dwell to a constant velocity with continuous acceleration.
+laws-use-semicycloidal-end = It leads from a constant velocity to a dwell with continuous acceleration.
+laws-use-modified-trapezoid = Its acceleration is low and continuous. Use it for light followers that are limited by the inertia force.
+laws-use-modified-sine = Its peak velocity and torque are low, and its acceleration is continuous. Use it for heavy rotary tables and large masses.
+laws-use-scca = This family includes modified trapezoid, modified sine and cycloidal. Use the shares b, c and d to balance acceleration against velocity.
+laws-use-3-4-5 = It is the usual polynomial between dwells. The acceleration is continuous, the peak values are moderate, and the cam is easy to manufacture.
 laws-use-4-5-6-7 = Use it between dwells if the jerk must be zero at both ends. It is quieter at high speed but has a higher peak acceleration.
 laws-use-5-6-7-8-9 = Use it between dwells if the snap must also be zero at both ends, as in stiff, fast machines. Of the three polynomials it has the highest peak acceleration.
-laws-use-polynomial-5 = Matches lift, velocity and acceleration of both neighbours. Use it between two laws that cannot be joined directly.
-laws-use-polynomial-7 = Matches lift, velocity, acceleration and jerk of both neighbours. Use it like polynomial-5 if the jerk must also be continuous.
-laws-use-berzak-d = Polynomial with a low peak acceleration for use between dwells (Bautista Morelos 2018). The jerk at its ends is not zero.
-laws-use-gutman-1-3 = Sum of two harmonics. Its peak acceleration is lower than that of the cycloidal law, and it has no higher harmonics that could excite the follower.
-laws-use-freudenstein-1-3 = Freudenstein 1-3 as commonly printed. Its ends are not at rest (v = −1/56), so it cannot join a dwell. Use freudenstein-1-3-at-rest instead.
-laws-use-freudenstein-1-3-at-rest = Sum of two harmonics with a low peak acceleration, at rest at both ends.
-laws-use-freudenstein-1-3-5 = Sum of three harmonics. Its peak acceleration is close to the minimum for three harmonics.
-laws-use-eccentric = Half a turn of an eccentric disc, the cheapest cam to manufacture. The return must follow directly, on the other half of the disc.
+laws-use-polynomial-5 = It matches lift, velocity and acceleration of both neighbours. Use it between two laws that cannot be joined directly.
+laws-use-polynomial-7 = It matches lift, velocity, acceleration and jerk of both neighbours. Use it like polynomial-5 if the jerk must also be continuous.
+laws-use-berzak-d = It is a polynomial with a low peak acceleration for use between dwells (Bautista Morelos 2018). The jerk at its ends is not zero.
+laws-use-gutman-1-3 = It is a sum of two harmonics. Its peak acceleration is lower than that of the cycloidal law, and it has no higher harmonics that could excite the follower.
+laws-use-freudenstein-1-3 = It is the law Freudenstein 1-3 as commonly printed. Its ends are not at rest (v = −1/56), so it cannot join a dwell. Use freudenstein-1-3-at-rest instead.
+laws-use-freudenstein-1-3-at-rest = It is a sum of two harmonics with a low peak acceleration and rest at both ends.
+laws-use-freudenstein-1-3-5 = It is a sum of three harmonics. Its peak acceleration is close to the minimum for three harmonics.
+laws-use-eccentric = It is half a turn of an eccentric disc, the cheapest cam to manufacture. The return must follow directly, on the other half of the disc.
 
 # The picture of a measured cam.
 figure-identification = identified machine

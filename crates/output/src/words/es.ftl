@@ -324,29 +324,29 @@ sheet-pitch-y = Curva de paso, y, mm
 
 # El catálogo de leyes de subida.
 laws-use-constant-velocity = Úsela entre dos leyes con la misma velocidad, por ejemplo para la carrera de trabajo de un avance. Junto a un detenimiento su velocidad es discontinua, así que intercale ahí extremos semiarmónicos o semicicloidales.
-laws-use-parabolic = Aceleración de pico mínima de todas las leyes para una elevación y un tiempo dados. Úsela solo a baja velocidad, porque la aceleración salta en los extremos y en el centro.
-laws-use-cubic = El polinomio más simple con reposo en ambos extremos; su aceleración es lineal. Úselo solo a baja velocidad, porque la aceleración salta en los extremos.
-laws-use-simple-harmonic = Valores de pico bajos. Úsela para una subida a la que sigue directamente un retorno igual. Junto a un detenimiento la aceleración salta.
+laws-use-parabolic = Tiene la mínima aceleración de pico de todas las leyes para una elevación y un tiempo dados. Úsela solo a baja velocidad, porque la aceleración es discontinua en los extremos y en el centro.
+laws-use-cubic = Es el polinomio más simple con reposo en ambos extremos. Úselo solo a baja velocidad, porque la aceleración es discontinua en los extremos.
+laws-use-simple-harmonic = Sus valores de pico son bajos. Úsela para una subida a la que sigue directamente un retorno igual. Junto a un detenimiento su aceleración es discontinua.
 laws-use-double-harmonic = Úsela para una subida desde un detenimiento a la que sigue directamente su retorno. El inicio está en reposo; arriba, subida y retorno tienen la misma aceleración.
 laws-use-cycloidal = Úsela entre detenimientos a velocidad media y alta. La aceleración es continua y la sobreaceleración finita. La aceleración de pico es alta.
 laws-use-semiharmonic-start = Lleva del reposo a una velocidad constante con una aceleración de pico baja. Su aceleración inicial no es cero, de modo que puede seguir a una bajada que termine con la misma aceleración.
 laws-use-semiharmonic-end = Lleva de una velocidad constante al reposo con una aceleración de pico baja. Su aceleración final no es cero, de modo que un retorno debe empezar con la misma aceleración.
 laws-use-semicycloidal-start = Lleva de un detenimiento a una velocidad constante con aceleración continua.
 laws-use-semicycloidal-end = Lleva de una velocidad constante a un detenimiento con aceleración continua.
-laws-use-modified-trapezoid = Aceleración baja y continua. Úsela para seguidores ligeros limitados por la fuerza de inercia.
-laws-use-modified-sine = Velocidad y par de pico bajos, aceleración continua. Úsela para mesas giratorias pesadas y grandes masas.
-laws-use-scca = Familia que incluye trapecio modificado, seno modificado y cicloidal. Las partes b, c y d equilibran aceleración y velocidad.
-laws-use-3-4-5 = Polinomio habitual entre detenimientos. La aceleración es continua, los picos son moderados y la leva es fácil de fabricar.
+laws-use-modified-trapezoid = Su aceleración es baja y continua. Úsela para seguidores ligeros limitados por la fuerza de inercia.
+laws-use-modified-sine = Su velocidad y su par de pico son bajos, y su aceleración es continua. Úsela para mesas giratorias pesadas y grandes masas.
+laws-use-scca = Esta familia incluye trapecio modificado, seno modificado y cicloidal. Use las partes b, c y d para equilibrar aceleración y velocidad.
+laws-use-3-4-5 = Es el polinomio habitual entre detenimientos. La aceleración es continua, los picos son moderados y la leva es fácil de fabricar.
 laws-use-4-5-6-7 = Úselo entre detenimientos si la sobreaceleración debe ser cero en ambos extremos. Es más silencioso a alta velocidad, pero su aceleración de pico es mayor.
 laws-use-5-6-7-8-9 = Úselo entre detenimientos si también la derivada de la sobreaceleración debe ser cero en los extremos, como en máquinas rígidas y rápidas. Su aceleración de pico es la mayor de los tres polinomios.
 laws-use-polynomial-5 = Enlaza en elevación, velocidad y aceleración con ambos vecinos. Úselo entre dos leyes que no pueden unirse directamente.
-laws-use-polynomial-7 = Iguala la elevación, la velocidad, la aceleración y la sobreaceleración de ambas vecinas. Úsela como polynomial-5 si también la sobreaceleración debe ser continua.
-laws-use-berzak-d = Polinomio con poca aceleración de pico para usarlo entre detenimientos (Bautista Morelos 2018). La sobreaceleración en sus extremos no es cero.
-laws-use-gutman-1-3 = Suma de dos armónicos. Su aceleración de pico es menor que la de la cicloidal, y no tiene armónicos superiores que exciten el seguidor.
-laws-use-freudenstein-1-3 = Freudenstein 1-3 como suele imprimirse. Sus extremos no están en reposo (v = −1/56), así que no enlaza con un detenimiento. Use freudenstein-1-3-at-rest.
-laws-use-freudenstein-1-3-at-rest = Suma de dos armónicos con poca aceleración de pico, en reposo en ambos extremos.
-laws-use-freudenstein-1-3-5 = Suma de tres armónicos. Su aceleración de pico es casi la mínima con tres armónicos.
-laws-use-eccentric = Media vuelta de un disco excéntrico, la leva más barata de fabricar. El retorno debe seguir directamente, en la otra mitad del disco.
+laws-use-polynomial-7 = Enlaza en elevación, velocidad, aceleración y sobreaceleración con ambos vecinos. Úselo como polynomial-5 si también la sobreaceleración debe ser continua.
+laws-use-berzak-d = Es un polinomio con poca aceleración de pico para usarlo entre detenimientos (Bautista Morelos 2018). La sobreaceleración en sus extremos no es cero.
+laws-use-gutman-1-3 = Es una suma de dos armónicos. Su aceleración de pico es menor que la de la cicloidal, y no tiene armónicos superiores que exciten el seguidor.
+laws-use-freudenstein-1-3 = Es la ley Freudenstein 1-3 como suele imprimirse. Sus extremos no están en reposo (v = −1/56), así que no enlaza con un detenimiento. Use freudenstein-1-3-at-rest.
+laws-use-freudenstein-1-3-at-rest = Es una suma de dos armónicos con poca aceleración de pico y reposo en ambos extremos.
+laws-use-freudenstein-1-3-5 = Es una suma de tres armónicos. Su aceleración de pico es casi la mínima con tres armónicos.
+laws-use-eccentric = Es media vuelta de un disco excéntrico, la leva más barata de fabricar. El retorno debe seguir directamente, en la otra mitad del disco.
 
 # La imagen de una leva medida.
 figure-identification = máquina identificada

@@ -38,7 +38,7 @@ force-clock-implausible = with the time column in milliseconds a stride takes { 
 force-running = the recording of { $duration } shows running (short contacts with flight phases between them)
     .help = use kind = "running" for a running cycle, or give a recording of walking
 force-not-walking = the recording of { $duration } does not show walking: { $movement ->
-        [standing] a person stands; the load hardly changes
+        [standing] the load hardly changes, as in standing
         [jumping] both feet leave the ground or land at the same time
         [sit-to-stand] the load rises from the weight of the feet to the body weight
        *[other] the gait is not periodic

@@ -38,7 +38,7 @@ force-clock-implausible = con la columna de tiempo en milisegundos una zancada d
 force-running = el registro de { $duration } muestra carrera (contactos cortos con fases de vuelo entre ellos)
     .help = use kind = "running" para un ciclo de carrera, o dé un registro de marcha
 force-not-walking = el registro de { $duration } no muestra marcha: { $movement ->
-        [standing] una persona está de pie; la carga apenas cambia
+        [standing] la carga apenas cambia, como al estar de pie
         [jumping] ambos pies dejan el suelo o caen a la vez
         [sit-to-stand] la carga sube desde el peso de los pies hasta el peso corporal
        *[other] la marcha no es periódica
