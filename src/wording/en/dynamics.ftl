@@ -47,7 +47,7 @@ dynamics-stalls-anyway = the shaft stops with any inertia: the torque line of th
     .help = give a steeper torque line (machine.motor.slope, machine.motor.stall_torque)
 dynamics-no-load-speed = the no-load speed of the motor, { $nominal }, is too low for a mean camshaft speed of { $speed }
     .help = set machine.motor.no_load_speed = "{ $needed }" or more, or a lower machine.motor.gear
-dynamics-few-programme-rows = the speed programme has { $rows } rows
+dynamics-few-programme-rows = the speed programme has only { $rows } rows
     .help = give at least three rows with the columns time_s,speed_rad_per_s
 dynamics-programme-row = row { $row } of the speed programme is out of order
     .help = the times must increase, and the speeds must be positive

@@ -47,7 +47,7 @@ dynamics-stalls-anyway = el eje se para con cualquier inercia: la recta de par d
     .help = dé una recta de par más inclinada (machine.motor.slope, machine.motor.stall_torque)
 dynamics-no-load-speed = la velocidad en vacío del motor, { $nominal }, es demasiado baja para una velocidad media de { $speed } del eje de la leva
     .help = ponga machine.motor.no_load_speed = "{ $needed }" o más, o un machine.motor.gear menor
-dynamics-few-programme-rows = el programa de velocidad tiene { $rows } filas
+dynamics-few-programme-rows = el programa de velocidad solo tiene { $rows } filas
     .help = indique al menos tres filas con las columnas time_s,speed_rad_per_s
 dynamics-programme-row = la fila { $row } del programa de velocidad está fuera de orden
     .help = los tiempos deben crecer y las velocidades deben ser positivas

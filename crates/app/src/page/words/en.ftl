@@ -2,8 +2,8 @@
 fault-outside = the path leads out of the opened folder
     .help = copy the file into the folder, or start gaitcam studio in the folder that contains it
 fault-cannot-read = { $fault ->
-        [missing] there is no such file
-        [denied] may not be read by this user
+        [missing] the file does not exist
+        [denied] this user has no permission to read the file
        *[other] cannot be read ({ $fault })
     }
     .help = drop the file on the page, or put it into the opened folder
@@ -96,7 +96,7 @@ studio-reached = free → { $value }
 studio-end-from = Lowest value of the slider
 studio-end-to = Highest value of the slider
 studio-possible = acceptable from { $from } to { $to } { $unit }
-studio-possible-slow = from { $from } to { $to } { $unit }: not for high speed
+studio-possible-slow = not for high speed from { $from } to { $to } { $unit }
 studio-possible-none = not acceptable at any value of this slider
 studio-add-spring = Add a spring
 studio-add-motor = Add a motor

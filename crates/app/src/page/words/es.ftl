@@ -2,8 +2,8 @@
 fault-outside = la ruta sale de la carpeta abierta
     .help = copie el archivo en la carpeta o inicie gaitcam studio en la carpeta que lo contiene
 fault-cannot-read = { $fault ->
-        [missing] no existe tal archivo
-        [denied] este usuario no tiene permiso para leerlo
+        [missing] el archivo no existe
+        [denied] este usuario no tiene permiso para leer el archivo
        *[other] no se puede leer ({ $fault })
     }
     .help = suelte el archivo sobre la página o póngalo en la carpeta abierta
@@ -96,7 +96,7 @@ studio-reached = libre → { $value }
 studio-end-from = Valor mínimo del deslizador
 studio-end-to = Valor máximo del deslizador
 studio-possible = aceptable de { $from } a { $to } { $unit }
-studio-possible-slow = de { $from } a { $to } { $unit }: no apta para alta velocidad
+studio-possible-slow = no apta para alta velocidad de { $from } a { $to } { $unit }
 studio-possible-none = no aceptable con ningún valor de este deslizador
 studio-add-spring = Añadir un muelle
 studio-add-motor = Añadir un motor
