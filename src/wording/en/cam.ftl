@@ -29,9 +29,9 @@ cam-arm-reach = the arm of { $arm } { $fault ->
         [long] is too long to touch
        *[apart] cannot touch
     } the prime circle of radius { $prime } from a pivot at { $pivot }
-    .help = its length must lie between { $least } and { $most }
+    .help = the length of the arm must lie between { $least } and { $most }
 cam-swing = the arm swings from { $from } to { $to }, beyond its dead centres at { $dead }
-    .help = from its start at { $start } it may rise by less than { $rise } and fall by less than { $fall }
+    .help = from its start at { $start }, the arm must rise by less than { $rise } and fall by less than { $fall }
 cam-face-speed = at { $at } the angular velocity of the arm is { $speed } rad/rad, not less than that of the cam
     .help = a flat face has no contact point there: spread this motion over a larger cam angle
 cam-pivot-inside = the pivot at { $pivot } lies inside the cam, whose profile radius is { $reach } at { $at }
@@ -45,11 +45,11 @@ cam-no-conjugate-of = a conjugate cam for this follower ({ $follower }) does not
 cam-second-cam = the conjugate cam does not exist: { $because }
 cam-no-conjugate = no conjugate cam exists for a distance or angle of { $total } between both followers: the first follower alone reaches { $reach }
     .help = { $least ->
-        [none] this value must be much larger than { $reach }
-       *[other] with at least { $least } (second base radius { $base }) the conjugate cam has no undercut
+        [none] the distance or angle must be much larger than { $reach }
+       *[other] use at least { $least } (second base radius { $base }) to avoid undercut of the conjugate cam
     }
 cam-translating-height = the base height of a translating cam affects neither curvature nor pressure angle
-    .help = increase its length of travel or use a smaller roller
+    .help = increase the length of travel (cam.travel) or use a smaller roller (cam.roller_radius)
 cam-no-size = no base radius satisfies the limits with this follower ({ $follower })
     .help = allow a larger pressure angle or a smaller radius of curvature, spread the motion over a larger angle, or increase the pivot distance
 cam-groove-depth = a groove with floor radius { $floor } and surface radius { $surface } has no depth
@@ -67,5 +67,5 @@ cam-measured-circle = the profile is a circle within the scatter of the measured
     .help = measure the bore and the keyway, which fix centre and angle
 cam-measured-mirror = the points belong to the mirror image of this cam: their RMS distance from the profile is { $distance }, and { $mirrored } after mirroring
     .help = the cam was measured from its other side: change the sign of x
-cam-measured-other = the points do not belong to this cam: after the best fit their RMS distance from the profile is { $distance }; the profile has radii of { $low } to { $high }
+cam-measured-other = the points do not belong to this cam: their RMS distance from its profile (radii of { $low } to { $high }) is { $distance } after the best fit
     .help = check the units of the columns, the radius of the probing ball (--ball) and which cam was measured

@@ -1,7 +1,7 @@
 # Faults in reading scenes and recordings and in putting results into folders.
 file-cannot-read = { $fault ->
         [missing] the file or folder does not exist
-        [denied] no permission to read
+        [denied] there is no permission to read
        *[other] cannot be read ({ $fault })
     }
     .help = check the path
@@ -9,10 +9,10 @@ file-missing = the file "{ $file }" does not exist
 file-cannot-place = the files cannot be moved into place ({ $fault })
 file-foreign = this file has the name of a gaitcam file, but gaitcam did not write it
     .help = remove it, or choose another folder
-file-held = another gaitcam{ $process ->
+file-held = another gaitcam process{ $process ->
         [none] {""}
-       *[other] {" "}(process { $process })
-    } is writing here
+       *[other] {" "}({ $process })
+    } is writing to this folder
     .help = wait until it ends, stop it, or choose another --out
 file-folder = this is a folder, not a file
     .help = give a file
@@ -33,9 +33,9 @@ file-no-scene-in-summary = the file contains no scene
     .help = give a summary.json of gaitcam, or a scene file
 file-replaced = the input file { $file } would be replaced
     .help = input files are never overwritten; choose another folder
-file-another-sweep = contains a different sweep: { $differences }
+file-another-sweep = the folder contains a different sweep: { $differences }
     .help = repeat the sweep unchanged, or choose another folder
-file-not-sweep-folder = contains { $file }, which is not a block of a sweep
+file-not-sweep-folder = the folder contains { $file }, which is not a block of a sweep
     .help = give an empty folder or the folder of this sweep
 file-no-table = the file contains no table of numbers
     .help = the file starts with "{ $start }"; { $purpose ->
@@ -52,7 +52,7 @@ file-motion-value = column { $column }: "{ $typed }" is not a number
     .help = every row requires a finite number
 file-motion-order = column { $column } does not increase: { $x } after { $before }
     .help = it must increase from row to row
-file-motion-many-rows = more than { $most } rows
+file-motion-many-rows = the file has more than { $most } rows
     .help = reduce the number of rows, for example to every second row
 file-motion-differs = column { $column } covers { $covered }, but { $key } is { $typed }
     .help = correct one of them, or omit { $key } to use the value of the file

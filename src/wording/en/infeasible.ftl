@@ -2,7 +2,7 @@
 reason-demands-contradict = Contradictory conditions: { $demands }.
 reason-demands-infeasible = No law on or above the base circle satisfies these conditions together: { $demands }.
 reason-limit-infeasible = No law that satisfies the conditions satisfies the limit { $limit }.
-reason-nothing-presses = No force presses the follower on the cam, so limits.force_min cannot be satisfied. Give a spring, a preload or, on a moving axis, a mass.
+reason-nothing-presses = No force presses the follower on the cam, so limits.force_min cannot be satisfied. Set drive.spring_rate, drive.preload or, on a moving axis, drive.mass.
 reason-limits-infeasible = Conflicting limits: { $limits }. No law satisfies them together.
 reason-no-law-found = No law was found that satisfies the conditions and these limits: { $limits }. This does not prove that none exists, because not all limits are convex.
 reason-solver-stopped = The solver stopped without a result ({ $stop }); this does not prove that no law exists.

@@ -11,9 +11,9 @@ law-segment-length = the length of { $segment } is { $length }, but it must be p
 law-dwell-lift = { $segment } has a lift of { $lift }
     .help = the lift of a dwell is constant: choose a motion or set the lift to 0
 law-uncovered = the segments cover { $covered } of { $wanted }: { $missing } are missing
-    .help = add a dwell or change the angle of a segment
+    .help = add a dwell, or change the angle or length of a segment
 law-overfull = the segments cover { $covered }, which is { $excess } more than { $wanted }
-    .help = change the angle of a segment
+    .help = change the angle or length of a segment
 law-general-neighbours = the general polynomials { $first } and { $second } are adjacent, so their end conditions are not determined
     .help = change the motion of one segment, or merge the two segments
 law-lift-jump = { $before } cannot join { $after } at { $at }: the lift changes by { $jump } there
@@ -21,7 +21,7 @@ law-lift-jump = { $before } cannot join { $after } at { $at }: the lift changes 
 law-velocity-jump = { $before } cannot join { $after } at { $at }: the velocity jumps by { $jump } (from { $from } to { $to })
     .help = { $cure }
 law-let-cover = set the extent of { $segment } to { $length }, or insert a polynomial-5 between the two segments
-law-put-between = { $segment } is not at rest there: insert a half motion (semicycloidal) or a polynomial-5 between the two segments
+law-put-between = { $segment } is not at rest there, so insert a half motion (semicycloidal) or a polynomial-5 between the two segments
 law-below-base-circle = { $segment } falls { $depth } below the base circle, at { $at }
     .help = start the programme at the lowest position of the follower, or increase the lift before this segment
 law-table-below-base-circle = { $segment } falls { $depth } below the base circle between rows { $first } and { $second } of its table, at { $at }; at most half a unit of the last decimal is allowed
@@ -41,17 +41,17 @@ law-many-conditions = { $conditions } conditions require a polynomial of degree 
 law-condition-not-finite = condition { $condition } is not a finite number
     .help = give its angle and value as finite numbers
 law-condition-outside = condition { $condition } is at { $at }, outside { $start } … { $end }
-    .help = move it into the interval
-law-condition-order = condition { $condition } fixes derivative { $order } of a polynomial of degree { $degree }
+    .help = move the condition into the interval
+law-condition-order = condition { $condition } prescribes derivative { $order }, which is too high for a polynomial of degree { $degree }
     .help = give more conditions of lower order
-law-condition-twice = conditions { $first } and { $second } both fix derivative { $order } at { $at }
+law-condition-twice = conditions { $first } and { $second } both prescribe derivative { $order } at { $at }
     .help = remove one of them
 law-not-fixed = these { $conditions } conditions do not determine a polynomial of degree { $degree }
     .help = give at least one lift, and at each point give lower derivatives before higher ones
 law-parameter = `{ $word }` after `{ $motion }` is not a number
     .help = write parameters as in `scca 0.25 0.25 0.5`
 law-parameters = `{ $motion }` does not take { $given } parameters
-    .help = scca has the parameters b, c, d; eccentric has a ratio; other motions have no parameters
+    .help = only scca (b, c, d) and eccentric (ratio) have parameters
 law-unknown-motion = unknown motion `{ $motion }`
     .help = { $nearest ->
         [none] the catalogue contains { $catalogue }
@@ -63,9 +63,9 @@ law-motion-type = `{ $motion }` is a type of motion of VDI 2143, not a law
        *[other] laws with these ends: { $laws }
     }
 law-motion-needs-points = the motion `{ $motion }` needs points
-    .help = write pairs x s as fractions of angle and lift, motion = "table 0 0 0.5 0.3 1 1", or the name of a CSV file, motion = "table lift.csv"
+    .help = write pairs of angle and lift as fractions of the segment, motion = "table 0 0 0.5 0.3 1 1", or name a CSV file, motion = "table lift.csv"
 law-motion-file = the motion `{ $motion }` names the file { $file }, which cannot be read here
-    .help = files can be named in the scene file or after --set; a sweep over motions requires the rows themselves, motion = "table 0 0 0.5 0.3 1 1"
+    .help = name files only in the scene file or after --set; for a sweep, write the rows themselves: motion = "table 0 0 0.5 0.3 1 1"
 law-general-degree = the conditions of a general polynomial of degree { $degree } cannot be divided equally between both ends
     .help = use degree 5 (joins s, v, a) or 7 (also j)
 law-scca-shares = the shares b = { $b }, c = { $c }, d = { $d } of an SCCA law do not add to 1

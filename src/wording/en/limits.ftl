@@ -71,6 +71,6 @@ key-limits-hertz_pressure = Maximum Hertz pressure of the line contact, for the 
 name-hertz-pressure = hertz_pressure
 label-limits-hertz_pressure = Hertz pressure
 
-key-limits-residual = Maximum residual vibration of the follower in a dwell: amplitude at the start of the dwell. The return spring and the damping are included.
+key-limits-residual = Maximum amplitude of the residual vibration of the follower at the start of a dwell. The return spring and the damping are included.
 name-residual = residual
 label-limits-residual = Residual vibration

@@ -4,7 +4,7 @@ scene-output-name = "{ $typed }" is not a valid name for an output folder
     .help = use letters, digits, - and _
 scene-no-such-key = unknown key
     .help = { $nearest ->
-        [none] the keys here are { $known }
+        [none] the keys of this section are { $known }
        *[other] did you mean "{ $nearest }"?
     }
 scene-not-of-follower = this key does not apply to this follower ({ $follower })
@@ -32,7 +32,7 @@ scene-not-flag = { $typed } is neither true nor false
 scene-not-count = { $typed } is not a whole number from { $low } to { $high }
     .help = write a whole number from { $low } to { $high }, or "auto"
 scene-not-spans = { $typed } is not a whole number from { $low } to { $high }
-    .help = a certified optimum is not guaranteed in reasonable time with more than { $high } spans; a cam needs 8 to 60, and "auto" selects the minimum number that reaches the accuracy
+    .help = write 8 to 60 for most cams, or "auto" for the minimum number that reaches the accuracy; more than { $high } spans can prevent a certified optimum
 scene-not-quantity = { $typed } is not a number with its unit
     .help = write a number with its unit in quotes, for example { $example }
 scene-unknown-word = invalid value "{ $word }"
@@ -47,12 +47,12 @@ scene-negative = { $typed } is negative
 scene-outside = { $typed } is outside { $low } … { $high }
     .help = give a value from { $low } to { $high }
 scene-not-acute = the pressure angle limit of { $typed } is not below 90°
-    .help = 30° to 45° are usual
-scene-needed-by-follower = missing; this follower ({ $follower }) requires it
+    .help = set a limit below 90°; 30° to 45° are usual
+scene-needed-by-follower = this follower ({ $follower }) requires this key
     .help = write for example { $example }
-scene-needed-by-drive = missing; this drive ({ $drive }) requires it
+scene-needed-by-drive = this drive ({ $drive }) requires this key
     .help = write for example { $example }
-scene-needed-in-entry = missing; every entry of the list requires it
+scene-needed-in-entry = every entry of the list requires this key
     .help = write for example { $example }
 scene-no-assignment = "{ $typed }" does not have the form KEY=VALUE
     .help = write KEY=VALUE, for example limits.stroke=40 mm
@@ -62,16 +62,16 @@ scene-no-entry = { $list }.{ $number } does not exist; { $given ->
        *[other] { $given } entries are given
     }
     .help = entries count from 1: { $list }.1
-scene-list-without-number = { $list } is a list of { $given }
+scene-list-without-number = { $list } is a list of { $given } entries
     .help = write { $list }.1 for the first
 scene-value-not-table = { $part } is a value, not a table
     .help = remove the part after { $part }
 scene-file-and-model = only one of file, model and harmonics can be given
     .help = keep one: file = "walk.mot", model = "young" or harmonics = ["0.4", "0.1 at -90 deg"]
 scene-not-harmonic = "{ $typed }" is not a load factor with its phase
-    .help = write one string per harmonic: the amplitude as a fraction of the weight (zero or more) and the phase of the sine: ["0.4", "0.1 at -90 deg"]
+    .help = write one string per harmonic with its amplitude (fraction of the weight, zero or more) and the phase of its sine: ["0.4", "0.1 at -90 deg"]
 scene-not-learned-force = "{ $typed }" is not a force with its phase
-    .help = write a list of strings: the mean force, then the amplitude and the sine phase of each harmonic of the cam's turn, as in ["0 N", "3.2 N at -90 deg"]
+    .help = write one string for the mean force and one for each harmonic with its amplitude and sine phase: ["0 N", "3.2 N at -90 deg"]
 scene-learned-forces = the learned force has { $given } harmonics, which are too many
     .help = give the mean and the first harmonics, at most { $most } strings
 scene-harmonics = { $given ->
@@ -86,11 +86,11 @@ scene-no-phases = the range of phases from { $from } to { $to } is not valid
 scene-nothing-weighed = all phases of the cycle have weight 0
     .help = give at least one range a weight above 0
 scene-weigh-removed = law.weigh was removed
-    .help = use gaitcam synth --front force_error:prime_radius: select a point of the trade-off and set its limits
+    .help = run gaitcam synth --front force_error:prime_radius, select a point of the trade-off, and set its limits
 scene-no-force-to-follow = no target force is given
     .help = add [gait], or minimise "jerk", "peak-acceleration" …
 scene-size-not-free = the size of this cam is not free
-    .help = this key applies to disc cams without a given radius, except with oscillating mushroom followers
+    .help = remove this key; it applies only to disc cams without a given radius, except with oscillating mushroom followers
 scene-spline-degree = invalid spline degree { $typed }
     .help = write a whole number from 3 to 9, or "auto"
 scene-degree-below-objective = the derivative of order { $order } of a law of degree { $degree } is zero between the knots and cannot be minimised
@@ -111,9 +111,9 @@ scene-base-and-prime = base_radius and prime_radius are both given, but each det
     .help = remove one of them
 scene-radius-and-breadth = the breadth determines the base radius: (breadth − lift) / 2
     .help = remove base_radius and prime_radius
-scene-breadth-without-program = constant breadth requires a programme; its second half mirrors the first
+scene-breadth-without-program = constant breadth requires a programme of the first half turn, which determines the second half turn
     .help = set law.family = "program" with segments
-scene-roller-fills-prime = with the roller or arc radius of { $roller } the base radius is { $base }
+scene-roller-fills-prime = with the roller or arc radius of { $roller } the base radius would be { $base }
     .help = the prime radius must exceed the roller radius
 scene-base-in-bore = the base radius of { $base } lies inside the bore of { $bore }
     .help = use a base radius above { $least }
@@ -126,7 +126,7 @@ scene-no-keyway-of-width = DIN 6885-1 has no keyway of { $width }
 scene-keyway-too-wide = a keyway of { $width } does not fit a bore of { $bore }
     .help = write "auto" for the width of DIN 6885-1
 scene-offset-reaches-prime = the offset of { $offset } is not smaller than the prime radius of { $prime }
-    .help = reduce the offset or increase the prime radius
+    .help = reduce cam.offset or increase the prime radius
 scene-force-needs-turn = a target force requires a law over one turn, but this cam ({ $follower }) translates or has a law of several turns
     .help = use a follower on a disc cam, or remove [gait] and give a programme
 scene-length-needs-program = a law over a length must be given as a programme
@@ -142,18 +142,18 @@ scene-frequency-and-stiffness = natural_frequency already defines the stiffness 
 scene-motor-line = a motor needs one of slope, stall_torque, rated_torque and curve
     .help = write for example slope = "10 N m s/rad" under [machine.motor], the decrease of torque per rad/s at the camshaft
 scene-no-load-without-stall = a no-load speed requires a stall_torque
-    .help = give stall_torque and no_load_speed, or only slope; with slope, the no-load speed is computed
+    .help = give stall_torque and no_load_speed, or only slope (the no-load speed is then computed)
 scene-points-of-fusion = Fusion reads points in centimetres
-    .help = omit the unit
-scene-half-nameplate = the nameplate of a motor needs rated_torque and rated_speed
+    .help = omit --units
+scene-half-nameplate = an induction motor requires both rated_torque and rated_speed
     .help = write for example rated_torque = "5.1 N m" and rated_speed = "1395 rpm" under [machine.motor]
-scene-not-synchronous = the synchronous speed of a motor is above its rated speed
+scene-not-synchronous = the synchronous speed of the motor must be above its rated speed
     .help = write for example synchronous_speed = "1500 rpm": 120 times the frequency of the supply over the number of poles
 scene-motor-curve = the torque of the motor must decrease with its speed
     .help = give at least two rows with increasing speeds and decreasing torques: a file with the columns speed_rad_per_s and torque_n_m, or pairs such as "0 50 10 20 12 -4"
-scene-motor-without-inertia = missing; the motor requires the moment of inertia of its shaft
+scene-motor-without-inertia = a motor requires the moment of inertia of its shaft
     .help = write for example inertia = "0.5 kg m^2" under [machine] for flywheel and rotor, at the camshaft
-scene-floor-lacks = missing; a moving floor requires modal mass, frequency and damping ratio
+scene-floor-lacks = a moving floor requires modal mass, frequency and damping ratio
     .help = write for example "{ $example }" under [machine.floor]
 scene-floor-twice = the floor is given as one mode and as a list of modes
     .help = move the numbers of [machine.floor] into a [[machine.floor.mode]]
@@ -161,11 +161,11 @@ scene-walker-phases = one angle is required for each of the { $count } walkers o
     .help = write { $count } angles, the shaker first, as in ["0 deg", "90 deg"] for 2; or omit the key for random phases
 scene-walker-weights = one positive weight is required for each of the { $count } walkers of machine.walkers.count
     .help = write { $count } weights, the shaker first, as in ["700 N", "850 N"] for 2; or omit the key for equal weights
-scene-floor-alone = not available with a moving floor
+scene-floor-alone = this key is not available with a moving floor
     .help = omit this key, or [machine.floor]
 scene-floor-needs-shaker = a moving floor requires drive.kind = "moving-axis" with [gait] and without law.polydyne
     .help = omit [machine.floor], or use this drive
-scene-residual-without-frequency = missing; the limit on residual vibration requires this key
+scene-residual-without-frequency = the limit on residual vibration requires this key
     .help = write for example "60 Hz" under [machine]
 scene-force-range = { $low } is not less than force_max = { $high }
     .help = lower force_min or raise force_max
@@ -173,7 +173,7 @@ scene-polydyne-without-stiffness = a polydyne cam needs the stiffness of the fol
     .help = write stiffness = "9 kN/m" or natural_frequency = "60 Hz" under [machine]
 scene-polydyne-family = a polydyne cam needs a law with four continuous derivatives, which this family ({ $family }) does not guarantee
     .help = use family = "spline" or "harmonic", or a programme of 5-6-7-8-9 segments
-scene-polydyne-degree = the lift of a polydyne cam includes the deflection of the follower under the force: below degree 5 its acceleration would be discontinuous
+scene-polydyne-degree = below degree 5 the acceleration of a polydyne cam would be discontinuous, because its lift includes the deflection of the follower
     .help = use degree 5 to 9
 scene-polydyne-on-slide = a polydyne cam must rotate, because a law that does not repeat has no steady state
     .help = remove law.polydyne, or use another follower

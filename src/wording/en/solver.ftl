@@ -1,5 +1,5 @@
 # How a law was found.
-method-programme = motion prescribed; no optimisation
+method-programme = the motion is prescribed and not optimised
 method-interpolation = one linear system with as many conditions as coefficients
 method-spectral = { $harmonics } harmonics; truncation error { $rest } RMS
 method-harmonics = { $harmonics } harmonics, { $rounds ->
@@ -22,7 +22,7 @@ method-sequence = { $programs ->
         [no-improvement] { ended-no-improvement }
        *[small-gain] { ended-small-gain }
     }; constraint violation { $violation }
-ended-out-of-time = the time limit
+ended-out-of-time = time limit reached
 ended-most-steps = maximum number of steps reached
 ended-no-solution = the linearised program is infeasible near the last law
 ended-no-improvement = no fraction of the last step improves the objective
@@ -32,7 +32,7 @@ ended-small-gain = steps improve the objective by less than one part in ten mill
 doubt-limits = a limit is exceeded by more than the solver's tolerance
 doubt-gap = the duality gap could not be closed to one part in a million
 doubt-touching-angle = the angle at which the law touches the base circle was found by search, without a proof that it is the best
-doubt-left-out = no law was found that satisfies the nonconvex limits; this law does not include them
+doubt-left-out = this law ignores the nonconvex limits, because no law was found that satisfies them
 doubt-fixed-motion = it is the optimum for one motion of shaft and floor; laws that cause a different motion were not compared
 doubt-local = the problem is not convex, so only a local optimum is found; the gap refers to the best known lower bound
 

@@ -2,27 +2,27 @@
 sweep-no-assignment = "{ $typed }" does not have the form KEY=VALUES
     .help = write KEY=VALUES, for example limits.stroke=20 mm:60 mm:5 or law.family=spline,harmonic
 sweep-no-values = the grid is empty: no value is given
-    .help = write at least one value between commas, or START:STOP:COUNT
+    .help = write values separated by commas, or START:STOP:COUNT
 sweep-sampled-count = a sampled range has no count
     .help = write START:STOP
 sweep-no-count = a range of a grid has no count
     .help = write START:STOP:COUNT, or draw random values with --sample
 sweep-not-count = "{ $typed }" is not a whole number of values
     .help = write START:STOP:COUNT
-sweep-different-units = the ends of the range have different units ("{ $first }" and "{ $last }")
+sweep-different-units = the first and the last value of the range have different units ("{ $first }" and "{ $last }")
     .help = give both in the same unit
 sweep-not-number = "{ $typed }" does not start with a number
 sweep-no-rows = the grid is empty: there is no row to compute
 sweep-too-many-rows = { $rows } combinations are too many to compute
     .help = use fewer values, or sample them
-sweep-list-lengths = the list gives { $values } values of "{ $key }", but { $first } values of the first key
+sweep-list-lengths = the list has { $values } values of "{ $key }", but { $first } values of the first key
     .help = give every key of a list the same number of values
 sweep-not-carried = this file is not among the recordings of this sweep
-sweep-scatter-alone = cannot be combined with another variation, because it applies to one design
+sweep-scatter-alone = tolerances cannot be combined with another variation, because they apply to one design
 sweep-no-design = the scene has no feasible cam, so tolerances cannot be applied
     .help = relax its limits as suggested in the summary of the design
 sweep-out-of-time = the time limit ended the search for this design
-    .help = allow more time
+    .help = set a longer --time-limit
 sweep-fixed = "{ $key }" cannot be varied
     .help = the keys { $known } can be varied; entries of a list are numbered, as in law.segment.2.lift
 sweep-key-twice = "{ $key }" is given twice
@@ -38,10 +38,10 @@ sweep-no-tolerance = "{ $typed }" has no tolerance
 sweep-negative-tolerance = the tolerance of { $part } is negative: { $typed }
     .help = give the half width of the tolerance, 0 or more
 sweep-no-force-error = the scene has no target force, so it has no force error
-sweep-scatter-of-arm = tolerances are computed only for translating followers; on an arm, the effect of a profile error on the lift varies with the angle: measure a manufactured cam with gaitcam inspect
+sweep-scatter-of-arm = tolerances are computed only for translating followers; for a follower on an arm, measure a manufactured cam with gaitcam inspect
 sweep-front-without-moving-axis = a force limit controls the lift-off speed only on a moving axis; use gaitcam sweep and gaitcam front --maximise liftoff_speed
-sweep-front-without-size = here the pressure determines the size of the cam: give base_radius or prime_radius
-    .help = add [gait] to the scene
+sweep-front-without-size = the pressure limit determines the size of this cam, but this trade-off requires a given size
+    .help = give cam.base_radius or cam.prime_radius
 sweep-no-column = "{ $typed }" is not a column of numbers
     .help = { $nearest ->
         [none] for example { $known }

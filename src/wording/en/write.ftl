@@ -1,17 +1,17 @@
 # Faults in writing the files of a design.
 write-folder-refuses = { $fault ->
         [missing] the folder does not exist and cannot be created
-        [denied] no permission to write here
+        [denied] there is no permission to write here
         [read-only] the file system is read-only
-        [full] no space left on the device
+        [full] there is no space left on the device
        *[other] cannot write into this folder ({ $fault })
     }
     .help = choose another folder with --out DIR
 write-file-refuses = { $fault ->
         [missing] the folder does not exist and cannot be created
-        [denied] no permission to write here
+        [denied] there is no permission to write here
         [read-only] the file system is read-only
-        [full] no space left on the device
+        [full] there is no space left on the device
        *[other] cannot be written ({ $fault })
     }
 write-not-put-together = the file could not be created: { $fault }
@@ -23,18 +23,18 @@ write-barrel-solid = a barrel cam has no STEP solid, only STL files of the groov
 write-open-profile = the profile is open: it does not enclose a plate
     .help = use a disc cam with a closed law
 write-undercut-profile = the profile is undercut and crosses itself
-    .help = enlarge the base circle or reduce the roller
+    .help = set a larger cam.base_radius or a smaller cam.roller_radius
 write-profile-folds = a ray from the centre of rotation meets the profile more than once, so a plate about this centre is not possible
-    .help = enlarge the base circle
+    .help = set a larger cam.base_radius
 write-bore-too-large = a bore of { $bore } is not possible: the minimum distance of the profile from the centre is { $free }
     .help = give a positive bore smaller than twice that distance
 write-cutter-radius = invalid cutter radius { $radius }
     .help = give a positive tool radius
 write-depth-of-pass = invalid depth of pass { $pass }
     .help = give a depth of { $least } or more (a thousandth of the thickness)
-write-no-cutter-path = a cutter path exists only for the outside of a smooth cam, if the cutter fits the concave parts, and for the groove of a barrel cam
+write-no-cutter-path = a cutter path requires the groove of a barrel cam, or a smooth outer profile with concave parts that the cutter fits
 write-groove-cutter = the groove is exact only if the cutter has the radius of the roller, { $roller }, not { $radius }
-    .help = give this radius with --tool
+    .help = set --tool to the radius of the roller
 write-wire-too-thick = the wire with its spark gap has a radius of { $radius } and does not fit the keyway
 write-too-sharp = the profile is too sharp for a smooth spline
     .help = set limits.curvature so that the profile has no cusp

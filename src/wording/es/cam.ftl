@@ -29,9 +29,9 @@ cam-arm-reach = el brazo de { $arm } { $fault ->
         [long] es demasiado largo para tocar
        *[apart] no puede tocar
     } el círculo primario de radio { $prime } desde un pivote a { $pivot }
-    .help = su longitud debe estar entre { $least } y { $most }
+    .help = la longitud del brazo debe estar entre { $least } y { $most }
 cam-swing = el brazo oscila de { $from } a { $to }, más allá de sus puntos muertos en { $dead }
-    .help = desde su posición inicial de { $start } puede subir menos de { $rise } y bajar menos de { $fall }
+    .help = desde su inicio en { $start }, el brazo debe subir menos de { $rise } y bajar menos de { $fall }
 cam-face-speed = en { $at } la velocidad angular del brazo es { $speed } rad/rad, no menor que la de la leva
     .help = una cara plana no tiene ahí punto de contacto: reparta este movimiento en un ángulo de leva mayor
 cam-pivot-inside = el pivote a { $pivot } queda dentro de la leva, cuyo radio de perfil es { $reach } en { $at }
@@ -45,11 +45,11 @@ cam-no-conjugate-of = no existe leva conjugada para este seguidor ({ $follower }
 cam-second-cam = la leva conjugada no existe: { $because }
 cam-no-conjugate = no existe leva conjugada para una distancia o un ángulo de { $total } entre ambos seguidores: el primer seguidor por sí solo alcanza { $reach }
     .help = { $least ->
-        [none] este valor debe ser mucho mayor que { $reach }
-       *[other] con al menos { $least } (segundo radio base { $base }) la leva conjugada no tiene rebaje
+        [none] la distancia o el ángulo debe ser mucho mayor que { $reach }
+       *[other] use al menos { $least } (segundo radio base { $base }) para evitar el rebaje de la leva conjugada
     }
 cam-translating-height = la altura base de una leva de traslación no influye en la curvatura ni en el ángulo de presión
-    .help = aumente su recorrido o use un rodillo más pequeño
+    .help = aumente la longitud del recorrido (cam.travel) o use un rodillo más pequeño (cam.roller_radius)
 cam-no-size = ningún radio base cumple los límites con este seguidor ({ $follower })
     .help = admita un ángulo de presión mayor o un radio de curvatura menor, reparta el movimiento en un ángulo mayor o aumente la distancia al pivote
 cam-groove-depth = una ranura con radio de fondo { $floor } y radio de superficie { $surface } no tiene profundidad
@@ -67,5 +67,5 @@ cam-measured-circle = el perfil es un círculo dentro de la dispersión de los p
     .help = mida el agujero y el chavetero, que fijan centro y ángulo
 cam-measured-mirror = los puntos corresponden a la imagen especular de esta leva: su distancia RMS al perfil es { $distance }, y { $mirrored } después de reflejarlos
     .help = la leva se midió por el otro lado: cambie el signo de x
-cam-measured-other = los puntos no corresponden a esta leva: tras el mejor ajuste su distancia RMS al perfil es { $distance }; el perfil tiene radios de { $low } a { $high }
+cam-measured-other = los puntos no corresponden a esta leva: su distancia RMS al perfil (radios de { $low } a { $high }) es { $distance } tras el mejor ajuste
     .help = compruebe las unidades de las columnas, el radio de la bola palpadora (--ball) y qué leva se midió

@@ -9,10 +9,10 @@ file-missing = el archivo «{ $file }» no existe
 file-cannot-place = no se pueden colocar los archivos en su sitio ({ $fault })
 file-foreign = este archivo tiene el nombre de un archivo de gaitcam, pero gaitcam no lo escribió
     .help = quítelo, o elija otra carpeta
-file-held = otro gaitcam{ $process ->
+file-held = otro proceso de gaitcam{ $process ->
         [none] {""}
-       *[other] {" "}(proceso { $process })
-    } está escribiendo aquí
+       *[other] {" "}({ $process })
+    } está escribiendo en esta carpeta
     .help = espere a que termine, deténgalo, o elija otro --out
 file-folder = es una carpeta, no un archivo
     .help = indique un archivo
@@ -33,9 +33,9 @@ file-no-scene-in-summary = el archivo no contiene ninguna escena
     .help = indique un summary.json de gaitcam o un archivo de escena
 file-replaced = se sustituiría el archivo de entrada { $file }
     .help = los archivos de entrada nunca se sobrescriben; elija otra carpeta
-file-another-sweep = contiene un barrido distinto: { $differences }
+file-another-sweep = la carpeta contiene un barrido distinto: { $differences }
     .help = repita el barrido sin cambios, o elija otra carpeta
-file-not-sweep-folder = contiene { $file }, que no es un bloque de un barrido
+file-not-sweep-folder = la carpeta contiene { $file }, que no es un bloque de un barrido
     .help = indique una carpeta vacía o la de este barrido
 file-no-table = el archivo no contiene ninguna tabla de números
     .help = el archivo empieza con «{ $start }»; { $purpose ->
@@ -52,7 +52,7 @@ file-motion-value = columna { $column }: "{ $typed }" no es un número
     .help = cada fila necesita un número finito
 file-motion-order = la columna { $column } no crece: { $x } después de { $before }
     .help = debe crecer de fila en fila
-file-motion-many-rows = más de { $most } filas
+file-motion-many-rows = el archivo tiene más de { $most } filas
     .help = reduzca el número de filas, por ejemplo a una de cada dos
 file-motion-differs = la columna { $column } abarca { $covered }, pero { $key } es { $typed }
     .help = corrija uno de los dos, u omita { $key } para usar el valor del archivo

@@ -2,7 +2,7 @@
 reason-demands-contradict = Condiciones contradictorias: { $demands }.
 reason-demands-infeasible = Ninguna ley situada en el círculo base o por encima cumple a la vez estas condiciones: { $demands }.
 reason-limit-infeasible = Ninguna ley que cumpla las condiciones cumple el límite «{ $limit }».
-reason-nothing-presses = Ninguna fuerza aprieta el seguidor contra la leva, así que no se puede cumplir limits.force_min. Dé un muelle, una precarga o, en un eje móvil, una masa.
+reason-nothing-presses = Ninguna fuerza aprieta el seguidor contra la leva, así que limits.force_min no se puede cumplir. Fije drive.spring_rate, drive.preload o, con un eje móvil, drive.mass.
 reason-limits-infeasible = Límites incompatibles: { $limits }. Ninguna ley los cumple a la vez.
 reason-no-law-found = No se encontró ninguna ley que cumpla las condiciones y estos límites: { $limits }. Esto no demuestra que no exista, porque no todos los límites son convexos.
 reason-solver-stopped = El algoritmo se detuvo sin resultado ({ $stop }); esto no demuestra que no exista una ley.

@@ -1,7 +1,7 @@
 # Qué significa cada clave de un archivo de escena (src/scene/keys/table.rs).
 key-name = Nombre de la escena y de su carpeta de salida.
 key-gait-file = Registro de la fuerza objetivo, o un archivo con su ciclo. Para una población: una carpeta, una lista de archivos o una tabla de caminantes. La ruta es relativa al archivo de la escena o, si no, al directorio de trabajo. Plataformas de un ensayo en archivos separados: "a.tsv + b.tsv".
-key-gait-model = Modelo de carga de la fuerza objetivo: young, li-2010, setra, iso-22675 … Comparados con un texto publicado: setra, rebelo, sci-p354, iso-22675. Compruebe los demás antes de citarlos.
+key-gait-model = Modelo de carga de la fuerza objetivo: young, li-2010, setra, iso-22675 … Los modelos setra, rebelo, sci-p354 e iso-22675 están comprobados con un texto publicado. Compruebe los demás antes de citarlos.
 key-gait-harmonics = Factores de carga dinámica de la fuerza de ambos pies, en lugar de un modelo. Por cada armónico de la frecuencia de paso: amplitud como fracción del peso y fase de su seno, ["0.4", "0.1 at -90 deg"].
 key-gait-step_frequency = Pasos por segundo del modelo de carga o de los factores de carga; para varios caminantes, un intervalo con el número de valores o una distribución normal (media, desviación típica).
 key-gait-body_weight = Peso de la persona para el modelo de carga o los factores de carga; auto: 700 N.
@@ -88,7 +88,7 @@ key-law-point-N-jerk = Sobreaceleración d³s/dθ³ en ese ángulo.
 key-law-dwell-N-from = Primer ángulo de leva de un detenimiento.
 key-law-dwell-N-to = Último ángulo de leva del detenimiento.
 key-law-dwell-N-lift = Elevación durante el detenimiento; libre si se omite.
-key-law-segment-N-motion = Movimiento de un segmento: un nombre del catálogo (gaitcam laws), dwell, o una tabla con parejas de ángulo y elevación como fracciones del segmento, en reposo en ambos extremos: "table 0 0 0.5 0.3 1 1". Un archivo CSV, "table lift.csv", tiene las columnas "angle" y "lift" con unidades; estas dan el ángulo y la elevación del segmento si se omiten. Su ruta es relativa al archivo de la escena o, si no, al directorio de trabajo.
+key-law-segment-N-motion = Movimiento de un segmento: un nombre del catálogo (gaitcam laws), dwell, o una tabla con parejas de ángulo y elevación como fracciones del segmento, en reposo en ambos extremos: "table 0 0 0.5 0.3 1 1". El archivo CSV de "table lift.csv" necesita las columnas "angle" y "lift" con unidades. Si se omite el ángulo o la elevación del segmento, se usa el valor del archivo. La ruta es relativa al archivo de la escena o, si no, al directorio de trabajo.
 key-law-segment-N-lift = Cambio de elevación en el segmento; negativo para una bajada.
 key-law-segment-N-angle = Ángulo de leva del segmento.
 key-law-segment-N-length = Recorrido de una leva de traslación durante el segmento.

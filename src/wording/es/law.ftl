@@ -11,9 +11,9 @@ law-segment-length = la longitud de { $segment } es { $length }, pero debe ser p
 law-dwell-lift = { $segment } tiene una elevación de { $lift }
     .help = en un detenimiento la elevación es constante: elija un movimiento o ponga la elevación a 0
 law-uncovered = los segmentos cubren { $covered } de { $wanted }: faltan { $missing }
-    .help = añada un detenimiento o cambie la extensión de un segmento
+    .help = añada un detenimiento, o cambie el ángulo o la longitud de un segmento
 law-overfull = los segmentos cubren { $covered }, { $excess } más que { $wanted }
-    .help = cambie la extensión de un segmento
+    .help = cambie el ángulo o la longitud de un segmento
 law-general-neighbours = los polinomios generales { $first } y { $second } son contiguos, así que sus condiciones extremas no están determinadas
     .help = cambie el movimiento de un segmento, o una los dos segmentos
 law-lift-jump = { $before } no puede unirse a { $after } en { $at }: la elevación cambia ahí en { $jump }
@@ -21,7 +21,7 @@ law-lift-jump = { $before } no puede unirse a { $after } en { $at }: la elevaci�
 law-velocity-jump = { $before } no puede unirse a { $after } en { $at }: la velocidad salta { $jump } (de { $from } a { $to })
     .help = { $cure }
 law-let-cover = ponga la extensión de { $segment } a { $length }, o intercale un polynomial-5 entre los dos segmentos
-law-put-between = { $segment } no está ahí en reposo: intercale entre los dos segmentos un semimovimiento (semicycloidal) o un polynomial-5
+law-put-between = { $segment } no está ahí en reposo, así que intercale entre los dos segmentos un semimovimiento (semicycloidal) o un polynomial-5
 law-below-base-circle = { $segment } baja { $depth } por debajo del círculo base, en { $at }
     .help = empiece el programa en la posición más baja del seguidor, o aumente la elevación antes de este segmento
 law-table-below-base-circle = { $segment } baja { $depth } por debajo del círculo base entre las filas { $first } y { $second } de su tabla, en { $at }; se admite como máximo media unidad del último decimal
@@ -41,17 +41,17 @@ law-many-conditions = { $conditions } condiciones requieren un polinomio de grad
 law-condition-not-finite = la condición { $condition } no es un número finito
     .help = dé su ángulo y su valor como números finitos
 law-condition-outside = la condición { $condition } está en { $at }, fuera de { $start } … { $end }
-    .help = desplácela al intervalo
-law-condition-order = la condición { $condition } fija la derivada { $order } de un polinomio de grado { $degree }
+    .help = desplace la condición al intervalo
+law-condition-order = la condición { $condition } prescribe la derivada { $order }, demasiado alta para un polinomio de grado { $degree }
     .help = dé más condiciones de orden inferior
-law-condition-twice = las condiciones { $first } y { $second } fijan ambas la derivada { $order } en { $at }
+law-condition-twice = las condiciones { $first } y { $second } prescriben ambas la derivada { $order } en { $at }
     .help = quite una de ellas
 law-not-fixed = estas { $conditions } condiciones no determinan un polinomio de grado { $degree }
     .help = dé al menos una elevación y, en cada punto, las derivadas inferiores antes que las superiores
 law-parameter = `{ $word }` después de `{ $motion }` no es un número
     .help = escriba los parámetros como en `scca 0.25 0.25 0.5`
 law-parameters = `{ $motion }` no admite { $given } parámetros
-    .help = scca tiene los parámetros b, c, d; eccentric tiene una razón; los demás movimientos no tienen parámetros
+    .help = solo scca (b, c, d) y eccentric (razón) tienen parámetros
 law-unknown-motion = movimiento desconocido `{ $motion }`
     .help = { $nearest ->
         [none] el catálogo contiene { $catalogue }
@@ -63,9 +63,9 @@ law-motion-type = `{ $motion }` es un tipo de movimiento de VDI 2143, no una ley
        *[other] leyes con estos extremos: { $laws }
     }
 law-motion-needs-points = el movimiento `{ $motion }` necesita puntos
-    .help = escriba parejas x s como fracciones del ángulo y de la elevación, motion = "table 0 0 0.5 0.3 1 1", o el nombre de un archivo CSV, motion = "table lift.csv"
+    .help = escriba parejas de ángulo y elevación como fracciones del segmento, motion = "table 0 0 0.5 0.3 1 1", o nombre un archivo CSV, motion = "table lift.csv"
 law-motion-file = el movimiento `{ $motion }` nombra el archivo { $file }, que aquí no se puede leer
-    .help = los archivos se pueden nombrar en la escena o tras --set; un barrido de movimientos requiere las filas mismas, motion = "table 0 0 0.5 0.3 1 1"
+    .help = nombre archivos solo en la escena o tras --set; para un barrido, escriba las filas mismas: motion = "table 0 0 0.5 0.3 1 1"
 law-general-degree = las condiciones de un polinomio general de grado { $degree } no se pueden repartir por igual entre ambos extremos
     .help = use grado 5 (une s, v, a) o 7 (también j)
 law-scca-shares = las fracciones b = { $b }, c = { $c }, d = { $d } de una ley SCCA no suman 1

@@ -71,6 +71,6 @@ key-limits-hertz_pressure = Presión de Hertz máxima del contacto lineal, para 
 name-hertz-pressure = presión de Hertz
 label-limits-hertz_pressure = Presión de Hertz
 
-key-limits-residual = Vibración residual máxima del seguidor en un detenimiento: amplitud al principio del detenimiento. Se incluyen el muelle y el amortiguamiento.
+key-limits-residual = Amplitud máxima de la vibración residual del seguidor al principio de un detenimiento. Se incluyen el muelle y el amortiguamiento.
 name-residual = vibración residual
 label-limits-residual = Vibración residual

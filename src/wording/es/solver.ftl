@@ -1,5 +1,5 @@
 # Cómo se obtuvo la ley.
-method-programme = movimiento prescrito; sin optimización
+method-programme = el movimiento está prescrito y no se optimiza
 method-interpolation = un sistema lineal con tantas condiciones como coeficientes
 method-spectral = { $harmonics } armónicos; error de truncamiento { $rest } RMS
 method-harmonics = { $harmonics } armónicos, { $rounds ->
@@ -22,7 +22,7 @@ method-sequence = { $programs ->
         [no-improvement] { ended-no-improvement }
        *[small-gain] { ended-small-gain }
     }; violación de restricciones { $violation }
-ended-out-of-time = el límite de tiempo
+ended-out-of-time = límite de tiempo alcanzado
 ended-most-steps = se alcanzó el número máximo de pasos
 ended-no-solution = el programa linealizado no tiene solución cerca de la última ley
 ended-no-improvement = ninguna fracción del último paso mejora el objetivo
@@ -32,7 +32,7 @@ ended-small-gain = los pasos mejoran el objetivo en menos de una parte en diez m
 doubt-limits = un límite se supera en más de la tolerancia del método
 doubt-gap = no se pudo cerrar la brecha de dualidad hasta una parte en un millón
 doubt-touching-angle = el ángulo en que la ley toca el círculo base se obtuvo por búsqueda, sin demostrar que sea el mejor
-doubt-left-out = no se encontró ninguna ley que cumpla los límites no convexos; esta ley no los incluye
+doubt-left-out = esta ley no tiene en cuenta los límites no convexos, porque no se encontró ninguna ley que los cumpla
 doubt-fixed-motion = es el óptimo para un movimiento dado del eje y del suelo; no se compararon leyes que causan otro movimiento
 doubt-local = el problema no es convexo y solo se obtiene un óptimo local; la brecha se refiere a la mejor cota inferior conocida
 

@@ -134,7 +134,7 @@ fn conjugate_of_ejemplo8_has_a_base_of_80() {
         .unwrap_err()
         .to_string();
     assert!(
-        none.contains("140 mm") && none.contains("145 mm") && none.contains("has no undercut"),
+        none.contains("140 mm") && none.contains("145 mm") && none.contains("to avoid undercut"),
         "{none}"
     );
     assert!(Conjugate::new(&first, Closure::Angle(1.0), None).is_err());

@@ -7,7 +7,7 @@ cli-scene-name = "{ $shown }" { $fault ->
         [control] contains a control character or an invisible mark
        *[not-plain] is not a plain file name
     }
-    .help = use letters, digits, - and _ because results are written to out/NAME; or give the folder
+    .help = use letters, digits, - and _, because the results are written to out/NAME, or give another folder with --out
 cli-few-rows = invalid value { $rows }
     .help = at least { $least } points are required; fewer are possible only with --front
 cli-not-stances = { $file } is neither a new .csv file nor a table of stances
@@ -24,46 +24,46 @@ cli-among-recordings = the results would be written among the recordings in { $f
     .help = give another folder
 cli-not-cover = this is not a table of gaitcam cover
     .help = give the output folder of gaitcam cover
-cli-recording-not-scene = changes a scene, but the file is a recording
+cli-recording-not-scene = this option changes a scene, but the file is a recording
     .help = use the options of gaitcam gait
-cli-scene-not-recording = is a scene, not a recording
-    .help = use gaitcam synth to design its cam or gaitcam doctor to check it; for its recording, use gaitcam gait with the file that the key gait.file names
+cli-scene-not-recording = the file is a scene, not a recording
+    .help = use gaitcam synth or gaitcam doctor for the scene, or give the recording in its key gait.file
 cli-no-key-contains = no key contains "{ $pattern }"
 cli-input-time = the input was not read within { $limit } s
-    .help = end the input, or allow more time
+    .help = end the input, or set a longer --time-limit
 cli-no-model = "{ $typed }" is not a model
     .help = write auto, rigid, flexible or contact
 cli-no-walk = the design has no recording with eight or more consecutive strides
-    .help = name one: gaitcam walk RESULT RECORDING
-cli-nothing-to-walk = the scene has no target force of one walker on a cam that turns once in its cycle
+    .help = give a recording of a walk: gaitcam walk RESULT RECORDING
+cli-nothing-to-walk = a speed programme requires the target force of one walker and a cam that turns once per force cycle
     .help = give a scene with a load model or a recording
 cli-varies-too-much = the coefficient of variation must be between 0 and { $most }
     .help = the step time of healthy people varies by 1 to 4 %
 cli-strides-missing = { $count } strides are requested, but only { $recorded } consecutive strides are recorded
     .help = give a smaller number, or use a recording with more strides; fewer than eight consecutive strides are not used
-cli-few-strides = the recording has only { $strides } consecutive strides of both feet; a walk needs { $needed }
+cli-few-strides = the recording has only { $strides } consecutive strides of both feet; at least { $needed } are required
     .help = record a longer walk on a treadmill or with insoles; gaitcam gait --stances lists the rejected contacts
-cli-clipped-walk = the force is clipped: its amplitude is not known
-    .help = record again with a larger range
+cli-clipped-walk = the force is clipped, so its amplitude is unknown
+    .help = record again with a larger range of the amplifier
 cli-programme-column = the speed programme has no column { $column }
-    .help = its first line names the columns: time_s,speed_rad_per_s
+    .help = write the names of the columns in the first line: time_s,speed_rad_per_s
 cli-speeds = { $typed } is not a range of speeds
     .help = write first speed, last speed and number of speeds (2 to { $most }): --speeds '1.4 Hz:2.3 Hz:10'
 cli-cam-is-made = this result has a finished profile; a change of { $key } requires a new design
     .help = change only keys of drive and machine, or design a new cam with gaitcam synth SUMMARY.json --set …
 cli-broken-table = { $fault }
-    .help = write it again with gaitcam synth
+    .help = write the table again with gaitcam synth
 cli-field-not-number = a field is not a number
-    .help = write it again with gaitcam synth
+    .help = write the table again with gaitcam synth
 cli-empty-table = the table has no row
 cli-no-blocks = this folder contains no blocks of a sweep; give the table of gaitcam sweep, or the folder of its blocks (gaitcam sweep --shard)
-cli-not-sweep-table = is not the table of a sweep, because it has no column "{ $column }"
+cli-not-sweep-table = the file is not the table of a sweep, because it has no column "{ $column }"
     .help = give the output file of gaitcam sweep
 cli-no-parquet = this gaitcam was built without Parquet (the feature "parquet")
     .help = use a .csv table, or build gaitcam with --features parquet
 cli-table-ending = { $file } is neither .csv nor .parquet
     .help = use one of these endings
-cli-no-base-scene = does not name the row's base scene
+cli-no-base-scene = the file does not contain the base scene of this row
 cli-row-not-number = row { $row }: "{ $cell }" is not a number
 cli-nothing-varies = the grid is empty: no key is varied
     .help = write --vary 'limits.stroke=20 mm:60 mm:5', --list FILE.csv or --recordings FOLDER
@@ -73,25 +73,25 @@ cli-list-cell = a value is missing
 cli-empty-list = the grid is empty: the list has no row
     .help = write the keys in the first line and their values in each further line
 cli-no-recordings = the folder contains no file
-    .help = recordings end in { $endings }
+    .help = give a folder with recordings, whose names end in { $endings }
 cli-not-recordings = none of { $files } files has the name ending of a recording
-    .help = recordings end in { $endings }
+    .help = give a folder with recordings, whose names end in { $endings }
 cli-many-rows = the table would have { $rows } rows
-    .help = use fewer values or a smaller --sample, or allow it with --yes; --estimate estimates the time
+    .help = use fewer values or a smaller --sample, or confirm the size with --yes; --estimate predicts the computing time
 cli-scatter-csv = the samples of --tolerance can only be written as .csv
 cli-too-many-samples = invalid value { $count }
     .help = the maximum is { $most }
 cli-no-sample = the number of samples is zero
-cli-partial-rows = contains { $rows } rows of an interrupted sweep
-    .help = continue with --resume, or delete it to start again
-cli-not-partial = is not the partial table of a sweep
-    .help = move it, or choose another --out
+cli-partial-rows = the folder contains { $rows } rows of an interrupted sweep
+    .help = continue with --resume, or delete the folder to start again
+cli-not-partial = the folder is not the partial table of a sweep
+    .help = move the folder, or choose another --out
 cli-rows-safe = cannot be written ({ $fault })
-    .help = it contains { $rows } complete rows: free disk space and continue with --resume
+    .help = the table contains { $rows } complete rows: free disk space and continue with --resume
 cli-all-rows-safe = cannot be written ({ $fault })
     .help = all rows are saved in the same folder: free disk space and continue with --resume
 cli-cannot-repair = cannot be repaired ({ $fault })
-cli-file-is-there = already exists and is not overwritten
+cli-file-is-there = the file already exists and is not overwritten
     .help = give another name with --out
 cli-unknown-flag = unknown option
     .help = { $near ->
@@ -192,7 +192,7 @@ synth-certified = { $family ->
        *[other] proved: no law of this family is better within these limits
     }
 synth-uncertified = not certified as the optimum: { $why }
-synth-optimum = relative duality gap { $gap }, KKT residual { $kkt }, constraint violation { $violation }
+synth-optimum = relative duality gap { $gap }, optimality error { $kkt }, constraint violation { $violation }
 synth-no-sequence = not needed
 synth-sequence = { $count } convex programs
 synth-step-head = step   prime radius          objective   relative clearance   step length
@@ -243,7 +243,7 @@ sweep-samples = { $name }: { $count } manufactured samples; force error as desig
 sweep-spread = spread    mean { $mean } %, standard deviation { $deviation } %, 5 % to 95 %: { $p5 } % … { $p95 } %, median { $median } %, maximum { $largest } %
 sweep-yield = yield     { $within } % of the cams have a force error of at most { $band } %
 sweep-scatter-files = Samples are in { $file }, pictures in { $page }.
-sweep-shard = write I/N, for example 3/16 for the third of sixteen shares; shares count from 1 (or from 0, then 0/16 means 16/16)
+sweep-shard = write I/N with I from 1 to N, for example 3/16 for the third of sixteen shares (0/16 means 16/16)
 sweep-shard-done = { $folder }: { $rows } rows computed, { $left ->
         [0] every block is complete
         [one] one block is missing
@@ -275,9 +275,9 @@ front-none-built = { $file }: no design was built
 front-none-feasible = { $file }: no design is acceptable (--all includes unacceptable designs)
 front-counts = { $file }: { $candidates } of { $seen } designs are admissible; { $front } of them are non-dominated
 front-missing = { $count ->
-        [one] row { $list } is not in the folder
-       *[other] { $count } rows are not in the folder ({ $list })
-    } and are not part of the front. Start the same sweep again to compute the missing rows
+        [one] row { $list } is missing in the folder and in the front
+       *[other] { $count } rows are missing in the folder and in the front ({ $list })
+    }. Start the same sweep again to compute the missing rows
 front-low-speed = { $count ->
         [one] one design that is not for high speed is
        *[other] { $count } designs that are not for high speed are
@@ -321,9 +321,9 @@ cover-who = worst walker (main error component)
 cover-weight = mean force
 cover-speed = size at this speed
 cover-shape = shape
-cover-bound-worst = minimised: the worst error; bound: lower bound for this number of cams. others: error for new walkers, by five-fold cross-validation
-cover-bound-mean = minimised: the root mean square of the errors; bound: lower bound for this number of cams. others: error for new walkers, by five-fold cross-validation
-cover-bound-tail = minimised: the root mean square of the errors of the worst walkers; bound: lower bound for this number of cams. others: error for new walkers, by five-fold cross-validation
+cover-bound-worst = minimised: the worst error; bound: lower bound for this number of cams; others: error for new walkers, by five-fold cross-validation
+cover-bound-mean = minimised: the RMS of the errors; bound: lower bound for this number of cams; others: error for new walkers, by five-fold cross-validation
+cover-bound-tail = minimised: the RMS of the errors of the worst walkers; bound: lower bound for this number of cams; others: error for new walkers, by five-fold cross-validation
 cover-stopped = The time limit ended the search before all numbers of cams were examined. Set a longer --time-limit.
 cover-cut = The time limit ended the search; better assignments may exist. Set a longer --time-limit.
 cover-error = RMS force error, % of the mean force
@@ -400,20 +400,20 @@ doctor-recording = { $file }: { $columns ->
         [one] one contact
        *[other] { $used } contacts
     } used, { $rejected } excluded
-doctor-unacceptable = Found: { $sentence }. Give another recording or column.
-doctor-doubt = Open: { $sentence }. Check this. Then give the key with the missing information, or accept the assumption with gait.accept = "{ $name }".
+doctor-unacceptable = The recording cannot be used: { $sentence }. Give another recording or column.
+doctor-doubt = Not certain: { $sentence }. Check this. Then give the key with the missing information, or accept the assumption with gait.accept = "{ $name }".
 doctor-recording-options = Missing information can be given with gait.time, gait.force, gait.unit, gait.rate, gait.mass, gait.kind, gait.period (see gaitcam keys gait).
 
 # inspect.
 inspect-no-cam = there is no cam to compare with: { $why }
 inspect-fit = { $points } points; the cam is turned by { $turn }°, with its centre at x { $x }, y { $y }
-inspect-alike = the cam is symmetric: it fits equally well if it is turned by { $others }
+inspect-alike = the cam is symmetric, so it fits equally well after a rotation by { $others }
 inspect-deviation = deviation along the normal: { $rms } µm RMS, from { $least } µm at { $below } to { $most } µm at { $above }
 inspect-outliers = { $count } { $count ->
-        [one] point differs
-       *[other] points differ
-    } by up to { $most } µm from the others (lines { $lines }); these are excluded
-inspect-part = only a part of the profile is measured: there are no points between { $from } and { $to }, so force and motion as manufactured are unknown
+        [one] point is excluded, because it differs
+       *[other] points are excluded, because they differ
+    } by up to { $most } µm from the others (lines { $lines })
+inspect-part = the profile is not measured between { $from } and { $to }, so force and motion as manufactured are unknown
 inspect-waves = { $waves } harmonics of the turn describe the deviation; the noise is { $left } RMS
 inspect-rms = force error RMS: as designed { $before }, as manufactured { $after } { $unit }
 inspect-max = force error maximum: as designed { $before }, as manufactured { $after } { $unit }
@@ -425,16 +425,16 @@ inspect-lifts-off = this cam loses contact at the speed of the scene
 # Electronic cams.
 synth-no-ecam = the electronic cam was not written: { $fault }
 # walk: the speed programme of a recorded walk.
-walk-no-cam = no cam to walk with: { $why }
+walk-no-cam = there is no cam for the speed programme: { $why }
 walk-strides = { $strides } recorded strides, { $duration } s, step time ± { $time } %; the programme reproduces the recorded step times within { $error } ms
 walk-generated = { $strides } generated strides, { $duration } s, step time ± { $time } %; the programme reproduces the generated step times within { $error } ms
 walk-misfit = damping, %: { $dampings }; misfit of the response: { $misfit }; peak, relative to the walk: { $peak }
 walk-constant = at constant speed: misfit { $misfit }; peak { $peak }
 walk-motion = speed { $low } … { $high } rad/s, acceleration up to { $acceleration } rad/s², torque up to { $torque } N·m
 walk-force = force { $low } … { $high } N; RMS difference from the force of the walk { $error } N
-walk-amplitude = the amplitude at the step frequency varies by ± { $own } %, and in the walk by ± { $recorded } %; a cam can vary it only together with the step time
-walk-pace = the pace changes: the stride time of the last quarter of the strides differs by { $change } % from that of the first; record a steady walk, or cut the recording
-walk-file = Programme { $file }; run it with gaitcam simulate RESULT --speed-programme.
+walk-amplitude = the amplitude at the step frequency varies by ± { $own } % with the programme and by ± { $recorded } % in the walk; a cam can vary it only together with the step time
+walk-pace = the stride time changes by { $change } % from the first to the last quarter of the strides; record a steady walk, or cut the recording
+walk-file = The programme is in { $file }. Run it with gaitcam simulate RESULT --speed-programme.
 programme-kept = the cam keeps contact and all limits of force and torque
 programme-lost = the cam loses contact
 programme-broken = the cam violates a limit

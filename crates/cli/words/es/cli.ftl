@@ -7,7 +7,7 @@ cli-scene-name = "{ $shown }" { $fault ->
         [control] contiene un carácter de control o una marca invisible
        *[not-plain] no es un nombre de archivo simple
     }
-    .help = use letras, cifras, - y _, porque los resultados van a out/NOMBRE; o indique la carpeta
+    .help = use letras, cifras, - y _, porque los resultados se escriben en out/NOMBRE, o indique otra carpeta con --out
 cli-few-rows = valor no válido { $rows }
     .help = se necesitan al menos { $least } puntos; menos solo son posibles con --front
 cli-not-stances = { $file } no es ni un archivo .csv nuevo ni una tabla de apoyos
@@ -24,46 +24,46 @@ cli-among-recordings = los resultados se escribirían entre los registros de { $
     .help = dé otra carpeta
 cli-not-cover = esto no es una tabla de gaitcam cover
     .help = dé la carpeta de resultados de gaitcam cover
-cli-recording-not-scene = cambia una escena, pero el archivo es un registro
+cli-recording-not-scene = esta opción cambia una escena, pero el archivo es un registro
     .help = use las opciones de gaitcam gait
-cli-scene-not-recording = es una escena, no un registro
-    .help = use gaitcam synth para diseñar su leva, gaitcam doctor para revisarla, o gaitcam gait con el archivo de su gait.file
+cli-scene-not-recording = el archivo es una escena, no un registro
+    .help = use gaitcam synth o gaitcam doctor para la escena, o indique el registro de su clave gait.file
 cli-no-key-contains = ninguna clave contiene "{ $pattern }"
 cli-input-time = la entrada no se leyó en { $limit } s
-    .help = termine la entrada, o permita más tiempo
+    .help = termine la entrada, o fije un --time-limit mayor
 cli-no-model = "{ $typed }" no es un modelo
     .help = escriba auto, rigid, flexible o contact
 cli-no-walk = el diseño no tiene un registro con ocho o más zancadas consecutivas
-    .help = indique uno: gaitcam walk RESULTADO REGISTRO
-cli-nothing-to-walk = la escena no tiene la fuerza objetivo de un caminante sobre una leva que gira una vez por ciclo
+    .help = indique el registro de una marcha: gaitcam walk RESULTADO REGISTRO
+cli-nothing-to-walk = un programa de velocidad requiere la fuerza objetivo de un caminante y una leva que gire una vez por ciclo de fuerza
     .help = dé una escena con un modelo de carga o un registro
 cli-varies-too-much = el coeficiente de variación debe estar entre 0 y { $most }
     .help = la duración del paso de personas sanas varía del 1 al 4 %
 cli-strides-missing = se piden { $count } zancadas, pero solo hay { $recorded } zancadas consecutivas registradas
     .help = indique un número menor o use un registro con más zancadas; menos de ocho zancadas consecutivas no se usan
-cli-few-strides = el registro solo tiene { $strides } zancadas consecutivas de ambos pies; una marcha requiere { $needed }
+cli-few-strides = el registro solo tiene { $strides } zancadas consecutivas de ambos pies; se requieren al menos { $needed }
     .help = registre una marcha más larga en cinta o con plantillas; gaitcam gait --stances enumera los contactos rechazados
-cli-clipped-walk = la fuerza está recortada: no se conoce su amplitud
-    .help = registre de nuevo con un rango mayor
+cli-clipped-walk = la fuerza está recortada, así que no se conoce su amplitud
+    .help = registre de nuevo con un rango mayor del amplificador
 cli-programme-column = el programa de velocidad no tiene la columna { $column }
-    .help = su primera línea nombra las columnas: time_s,speed_rad_per_s
+    .help = escriba los nombres de las columnas en la primera línea: time_s,speed_rad_per_s
 cli-speeds = { $typed } no es un intervalo de velocidades
     .help = escriba la primera velocidad, la última y el número de velocidades (de 2 a { $most }): --speeds '1.4 Hz:2.3 Hz:10'
 cli-cam-is-made = el perfil de este resultado está terminado; un cambio de { $key } requiere un diseño nuevo
     .help = cambie solo claves de drive y machine, o diseñe una leva nueva con gaitcam synth SUMMARY.json --set …
 cli-broken-table = { $fault }
-    .help = escríbala de nuevo con gaitcam synth
+    .help = escriba la tabla de nuevo con gaitcam synth
 cli-field-not-number = un campo no es un número
-    .help = escríbala de nuevo con gaitcam synth
+    .help = escriba la tabla de nuevo con gaitcam synth
 cli-empty-table = la tabla no tiene filas
 cli-no-blocks = esta carpeta no contiene bloques de un barrido; indique la tabla de gaitcam sweep, o la carpeta de sus bloques (gaitcam sweep --shard)
-cli-not-sweep-table = no es la tabla de un barrido, porque no tiene la columna "{ $column }"
+cli-not-sweep-table = el archivo no es la tabla de un barrido, porque no tiene la columna "{ $column }"
     .help = indique el archivo de resultados de gaitcam sweep
 cli-no-parquet = este gaitcam se compiló sin Parquet (la opción "parquet")
     .help = use una tabla .csv, o compile gaitcam con --features parquet
 cli-table-ending = { $file } no es ni .csv ni .parquet
     .help = use una de estas extensiones
-cli-no-base-scene = no nombra la escena base de la fila
+cli-no-base-scene = el archivo no contiene la escena base de esta fila
 cli-row-not-number = fila { $row }: "{ $cell }" no es un número
 cli-nothing-varies = la rejilla está vacía: no se varía ninguna clave
     .help = escriba --vary 'limits.stroke=20 mm:60 mm:5', --list ARCHIVO.csv o --recordings CARPETA
@@ -73,25 +73,25 @@ cli-list-cell = falta un valor
 cli-empty-list = la rejilla está vacía: la lista no tiene filas
     .help = escriba las claves en la primera línea y sus valores en cada línea siguiente
 cli-no-recordings = la carpeta no contiene ningún archivo
-    .help = los registros terminan en { $endings }
+    .help = indique una carpeta con registros, cuyos nombres terminan en { $endings }
 cli-not-recordings = ninguno de { $files } archivos tiene la extensión de un registro
-    .help = los registros terminan en { $endings }
+    .help = indique una carpeta con registros, cuyos nombres terminan en { $endings }
 cli-many-rows = la tabla tendría { $rows } filas
-    .help = use menos valores o un --sample menor, o permítalo con --yes; --estimate estima la duración
+    .help = use menos valores o un --sample menor, o confirme el tamaño con --yes; --estimate predice el tiempo de cálculo
 cli-scatter-csv = las muestras de --tolerance solo se pueden escribir como .csv
 cli-too-many-samples = valor no válido { $count }
     .help = el máximo es { $most }
 cli-no-sample = el número de muestras es cero
-cli-partial-rows = contiene { $rows } filas de un barrido interrumpido
-    .help = continúe con --resume, o bórrelo para empezar de nuevo
-cli-not-partial = no es la tabla parcial de un barrido
-    .help = muévalo, o elija otro --out
+cli-partial-rows = la carpeta contiene { $rows } filas de un barrido interrumpido
+    .help = continúe con --resume, o borre la carpeta para empezar de nuevo
+cli-not-partial = la carpeta no es la tabla parcial de un barrido
+    .help = mueva la carpeta, o elija otro --out
 cli-rows-safe = no se puede escribir ({ $fault })
-    .help = contiene { $rows } filas completas: libere espacio y continúe con --resume
+    .help = la tabla contiene { $rows } filas completas: libere espacio y continúe con --resume
 cli-all-rows-safe = no se puede escribir ({ $fault })
     .help = todas las filas están guardadas en la misma carpeta: libere espacio y continúe con --resume
 cli-cannot-repair = no se puede reparar ({ $fault })
-cli-file-is-there = ya existe y no se sobrescribe
+cli-file-is-there = el archivo ya existe y no se sobrescribe
     .help = dé otro nombre con --out
 cli-unknown-flag = opción desconocida
     .help = { $near ->
@@ -192,7 +192,7 @@ synth-certified = { $family ->
        *[other] demostrado: ninguna ley de esta familia es mejor con estos límites
     }
 synth-uncertified = no se certifica como óptimo: { $why }
-synth-optimum = brecha de dualidad relativa { $gap }, residuo KKT { $kkt }, violación de restricciones { $violation }
+synth-optimum = brecha de dualidad relativa { $gap }, error de optimalidad { $kkt }, violación de restricciones { $violation }
 synth-no-sequence = no fue necesaria
 synth-sequence = { $count } programas convexos
 synth-step-head = paso radio primario           objetivo    holgura relativa      longitud
@@ -243,7 +243,7 @@ sweep-samples = { $name }: { $count } muestras fabricadas; error de fuerza segú
 sweep-spread = dispersión media { $mean } %, desviación típica { $deviation } %, 5 % a 95 %: { $p5 } % … { $p95 } %, mediana { $median } %, máximo { $largest } %
 sweep-yield = rendimiento { $within } % de las levas tiene un error de fuerza de { $band } % como máximo
 sweep-scatter-files = Las muestras están en { $file }, las figuras en { $page }.
-sweep-shard = escriba I/N, por ejemplo 3/16 para la tercera de dieciséis partes; las partes se cuentan desde 1 (o desde 0, y entonces 0/16 es 16/16)
+sweep-shard = escriba I/N con I de 1 a N, por ejemplo 3/16 para la tercera de dieciséis partes (0/16 equivale a 16/16)
 sweep-shard-done = { $folder }: { $rows } filas calculadas, { $left ->
         [0] todos los bloques están completos
         [one] falta un bloque
@@ -275,9 +275,9 @@ front-none-built = { $file }: no se construyó ningún diseño
 front-none-feasible = { $file }: ningún diseño es aceptable (--all incluye los inaceptables)
 front-counts = { $file }: { $candidates } de { $seen } diseños son admisibles; { $front } de ellos son no dominados
 front-missing = { $count ->
-        [one] la fila { $list } no está en la carpeta
-       *[other] { $count } filas no están en la carpeta ({ $list })
-    } y no forman parte del frente. Inicie de nuevo el mismo barrido para calcular las filas que faltan
+        [one] la fila { $list } falta en la carpeta y en el frente
+       *[other] { $count } filas faltan en la carpeta y en el frente ({ $list })
+    }. Inicie de nuevo el mismo barrido para calcular las filas que faltan
 front-low-speed = { $count ->
         [one] se omite un diseño que no es
        *[other] se omiten { $count } diseños que no son
@@ -321,9 +321,9 @@ cover-who = peor caso (componente principal del error)
 cover-weight = fuerza media
 cover-speed = tamaño a esta velocidad
 cover-shape = forma
-cover-bound-worst = minimizado: el peor error; cota: cota inferior para este número de levas. otros: error de caminantes nuevos, por validación cruzada en cinco grupos
-cover-bound-mean = minimizado: la media cuadrática de los errores; cota: cota inferior para este número de levas. otros: error de caminantes nuevos, por validación cruzada en cinco grupos
-cover-bound-tail = minimizado: la media cuadrática de los errores de los peores caminantes; cota: cota inferior para este número de levas. otros: error de caminantes nuevos, por validación cruzada en cinco grupos
+cover-bound-worst = minimizado: el peor error; cota: cota inferior para este número de levas; otros: error de caminantes nuevos, por validación cruzada en cinco grupos
+cover-bound-mean = minimizado: el RMS de los errores; cota: cota inferior para este número de levas; otros: error de caminantes nuevos, por validación cruzada en cinco grupos
+cover-bound-tail = minimizado: el RMS de los errores de los peores caminantes; cota: cota inferior para este número de levas; otros: error de caminantes nuevos, por validación cruzada en cinco grupos
 cover-stopped = El límite de tiempo terminó la búsqueda antes de examinar todos los números de levas. Fije un --time-limit mayor.
 cover-cut = El límite de tiempo terminó la búsqueda; puede haber asignaciones mejores. Fije un --time-limit mayor.
 cover-error = error de fuerza RMS, % de la fuerza media
@@ -400,20 +400,20 @@ doctor-recording = { $file }: { $columns ->
         [one] un apoyo utilizado
        *[other] { $used } apoyos utilizados
     }, { $rejected } descartados
-doctor-unacceptable = Se encontró: { $sentence }. Indique otro registro u otra columna.
-doctor-doubt = Abierto: { $sentence }. Compruébelo. Indique después la clave con el dato que falta, o acepte lo supuesto con gait.accept = "{ $name }".
+doctor-unacceptable = El registro no se puede usar: { $sentence }. Indique otro registro u otra columna.
+doctor-doubt = No es seguro: { $sentence }. Compruébelo. Indique después la clave con el dato que falta, o acepte lo supuesto con gait.accept = "{ $name }".
 doctor-recording-options = Los datos que faltan se pueden indicar con gait.time, gait.force, gait.unit, gait.rate, gait.mass, gait.kind, gait.period (véase gaitcam keys gait).
 
 # inspect.
 inspect-no-cam = no hay leva con que comparar: { $why }
 inspect-fit = { $points } puntos; la leva está girada { $turn }°, con su centro en x { $x }, y { $y }
-inspect-alike = la leva es simétrica: ajusta igual de bien si se gira { $others }
+inspect-alike = la leva es simétrica, así que ajusta igual de bien después de un giro de { $others }
 inspect-deviation = desviación según la normal: { $rms } µm RMS, de { $least } µm en { $below } a { $most } µm en { $above }
 inspect-outliers = { $count } { $count ->
-        [one] punto difiere
-       *[other] puntos difieren
-    } en hasta { $most } µm de los demás (líneas { $lines }); se excluyen
-inspect-part = solo se midió una parte del perfil: no hay puntos entre { $from } y { $to }, así que la fuerza y el movimiento de la leva fabricada no se conocen
+        [one] punto se excluye, porque difiere
+       *[other] puntos se excluyen, porque difieren
+    } en hasta { $most } µm de los demás (líneas { $lines })
+inspect-part = el perfil no se midió entre { $from } y { $to }, así que la fuerza y el movimiento de la leva fabricada no se conocen
 inspect-waves = { $waves } armónicos de la vuelta describen la desviación; el ruido es { $left } RMS
 inspect-rms = error de fuerza RMS: según diseño { $before }, fabricada { $after } { $unit }
 inspect-max = error de fuerza máximo: según diseño { $before }, fabricada { $after } { $unit }
@@ -425,16 +425,16 @@ inspect-lifts-off = esta leva pierde el contacto a la velocidad de la escena
 # Levas electrónicas.
 synth-no-ecam = no se escribió la leva electrónica: { $fault }
 # walk: el programa de velocidad de una marcha registrada.
-walk-no-cam = no hay leva para la marcha: { $why }
+walk-no-cam = no hay leva para el programa de velocidad: { $why }
 walk-strides = { $strides } zancadas registradas, { $duration } s, duración del paso ± { $time } %; el programa tiene las duraciones registradas con { $error } ms
 walk-generated = { $strides } zancadas generadas, { $duration } s, duración del paso ± { $time } %; el programa tiene las duraciones generadas con { $error } ms
 walk-misfit = amortiguamiento, %: { $dampings }; desajuste de la respuesta: { $misfit }; máximo respecto de la marcha: { $peak }
 walk-constant = a velocidad constante: desajuste { $misfit }; máximo { $peak }
 walk-motion = velocidad { $low } … { $high } rad/s, aceleración hasta { $acceleration } rad/s², par hasta { $torque } N·m
 walk-force = fuerza { $low } … { $high } N; diferencia RMS respecto a la fuerza de la marcha { $error } N
-walk-amplitude = la amplitud a la frecuencia de paso varía ± { $own } %, la de la marcha ± { $recorded } %: una leva solo la varía junto con la duración del paso
-walk-pace = el ritmo cambia: la duración de la zancada del último cuarto difiere en un { $change } % de la del primero; registre una marcha uniforme o recorte el registro
-walk-file = Programa { $file }; ejecútelo con gaitcam simulate RESULTADO --speed-programme.
+walk-amplitude = la amplitud a la frecuencia de paso varía ± { $own } % con el programa y ± { $recorded } % en la marcha; una leva solo la varía junto con la duración del paso
+walk-pace = la duración de la zancada cambia un { $change } % del primer al último cuarto de las zancadas; registre una marcha uniforme o recorte el registro
+walk-file = El programa está en { $file }. Ejecútelo con gaitcam simulate RESULTADO --speed-programme.
 programme-kept = la leva mantiene el contacto y todos los límites de fuerza y par
 programme-lost = la leva pierde el contacto
 programme-broken = la leva incumple un límite

@@ -29,7 +29,7 @@ gait-variability = { $strides } consecutive strides{ $runs ->
         [true] {" "}(half the stride time: one foot is recorded)
        *[other] {""}
     }, amplitude at the step frequency ± { $amplitude } %, correlation of consecutive step times { $autocorrelation }
-gait-pace = the pace changes: the stride time of the last quarter of the strides differs by { $change } % from that of the first; at resonance this acts like variability
+gait-pace = the stride time changes by { $change } % from the first to the last quarter of the strides; at resonance this has the same effect as variability
 gait-samples = samples
 gait-doubt = open
 gait-unacceptable = The recording cannot be used: { $list }. { $others ->

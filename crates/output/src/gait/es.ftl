@@ -29,7 +29,7 @@ gait-variability = { $strides } zancadas consecutivas{ $runs ->
         [true] {" "}(la mitad de la zancada: se registró un solo pie)
        *[other] {""}
     }, amplitud a la frecuencia de paso ± { $amplitude } %, correlación de pasos consecutivos { $autocorrelation }
-gait-pace = el ritmo cambia: la duración de la zancada del último cuarto difiere en un { $change } % de la del primero; en resonancia actúa como la variabilidad
+gait-pace = la duración de la zancada cambia un { $change } % del primer al último cuarto de las zancadas; en resonancia esto tiene el mismo efecto que la variabilidad
 gait-samples = muestras
 gait-doubt = abierto
 gait-unacceptable = El registro no se puede usar: { $list }. { $others ->

@@ -190,7 +190,7 @@ class Class(Pages):
         # A recording without its stride time: the answer is beside the warning.
         single = "".join(f"{t:.4f},{f:.2f}\n" for t, f in zip(at, force) if t < 0.66)
         page.does(lambda: page.page.set_input_files("#pick-file", {"name": "one.csv", "mimeType": "text/csv", "buffer": f"t,fz\n{single}".encode()}))
-        doubt = page.page.locator("#conflict .choice", has_text="clock")
+        doubt = page.page.locator("#conflict .choice", has_text="time scale")
         doubt.wait_for()
         self.assertEqual(page.verdict(), "unacceptable")
         page.does(doubt.click)

@@ -125,9 +125,9 @@ class Values(Pages):
         self.assertEqual(taken.inner_text(), "→ 50.97 kg")
         page.sets("drive.mass", "")
         self.assertEqual(page.page.get_attribute('[name="drive.mass"]', "placeholder"), "auto → 50.97 kg")
-        self.assertEqual(page.page.get_attribute('[name="limits.pressure_angle"]', "placeholder"), "open → 0°")
+        self.assertEqual(page.page.get_attribute('[name="limits.pressure_angle"]', "placeholder"), "free → 0°")
         page.sets("accuracy.rms", "")
-        self.assertRegex(page.page.get_attribute('[name="accuracy.rms"]', "placeholder"), r"^open → 0\.\d+ %$")
+        self.assertRegex(page.page.get_attribute('[name="accuracy.rms"]', "placeholder"), r"^free → 0\.\d+ %$")
         self.assertEqual(page.page.get_attribute('[name="limits.acceleration"]', "placeholder").split()[-1], "m/s²")
 
     # --- sliders ----------------------------------------------------------------------------------

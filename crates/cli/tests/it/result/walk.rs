@@ -103,7 +103,7 @@ fn faults_of_a_walk_are_named_with_what_would_do() {
     for (arguments, part) in [
         (
             vec!["walk", "out", "short.csv"],
-            "3 consecutive strides of both feet; a walk needs 8",
+            "3 consecutive strides of both feet; at least 8 are required",
         ),
         (
             vec!["walk", "footbridge"],

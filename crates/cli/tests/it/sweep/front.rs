@@ -203,7 +203,7 @@ fn rows_that_a_folder_of_blocks_lacks_are_named() {
             .collect();
         assert_eq!(named, expected);
         let said = stderr(&output);
-        let count = format!("{} rows are not in the folder", expected.len());
+        let count = format!("{} rows are missing in the folder", expected.len());
         assert_eq!(said.contains(&count), !lost.is_empty(), "{said}");
     }
 }

@@ -12,13 +12,13 @@ force-unknown-feet = invalid value "{ $word }" for feet
     .help = use both, one, left, right or total
 force-unknown-kind = "{ $word }" is not a kind of movement
     .help = the kinds are walking, running, standing, jumping, sit-to-stand and other; a mean cycle is computed for walking and running
-force-unknown-doubt = "{ $word }" cannot be accepted
-    .help = list what you have checked in the recording: kind, clock, mass
+force-unknown-doubt = "{ $word }" is not a property that can be accepted
+    .help = list only the properties of the recording that you have checked: kind, clock, mass
 force-no-joint-mean = { $trials ->
         [one] the recording gives no
        *[other] none of the { $trials } recordings gives a
     } cycle for a joint mean
-    .help = the table gives the reasons; one cycle can be used as gait.file
+    .help = the table contains the reasons; set gait.file to a single cycle instead
 force-unknown-unit = "{ $word }" is not a unit of force
     .help = the units are N, daN, kN, lbf, kgf, N/kg, BW and %BW
 force-unknown-model = "{ $name }" is not a load model
@@ -38,26 +38,26 @@ force-clock-implausible = with the time column in milliseconds a stride takes { 
 force-running = the recording of { $duration } shows running (short contacts with flight phases between them)
     .help = use kind = "running" for a running cycle, or give a recording of walking
 force-not-walking = the recording of { $duration } does not show walking: { $movement ->
-        [standing] a person stands; the load hardly changes
+        [standing] the load hardly changes, as in standing
         [jumping] both feet leave the ground or land at the same time
         [sit-to-stand] the load rises from the weight of the feet to the body weight
        *[other] the gait is not periodic
     }
     .help = give a recording of walking or running; for very slow steps use kind = "walking"; for any other periodic force use gait.period
-force-total-of-both-feet = { $duration } of recording contain no complete stance of one foot: the column is the total force of both feet, which does not return to zero
+force-total-of-both-feet = the recording of { $duration } contains no complete stance of one foot: the column is the total force of both feet, which does not return to zero
     .help = use feet = "both"
-force-no-stance = { $duration } of recording contain no complete walking stance
+force-no-stance = the recording of { $duration } contains no complete walking stance
     .help = { $contacts ->
         [one] one contact was found, from { $from } to { $to }
        *[other] { $contacts } contacts were found, the first from { $from } to { $to }
     }; most frequent reason for rejection: { $reason }
-force-no-stance-file-cut = { $duration } of recording contain no complete walking stance: the header states { $announced } rows, but the file has { $found }
+force-no-stance-file-cut = the recording of { $duration } contains no complete walking stance: the header states { $announced } rows, but the file has { $found }
     .help = export the complete trial; most frequent reason for rejection: { $reason }
-force-force-too-low = no channel carries a load in { $duration } of recording: the maximum force is { $peak }
+force-force-too-low = no channel carries a load in the recording of { $duration }: the maximum force is { $peak }
     .help = if the force is in N/kg or body weights, give its unit (option unit) and the mass (option mass)
-force-no-live-channel = { $duration } of recording contain no complete walking stance, because no channel carries a load
+force-no-live-channel = the recording of { $duration } contains no complete walking stance, because no channel carries a load
     .help = name the force column (option force)
-force-no-contact = { $duration } of recording contain no complete walking stance, because no channel exceeds 20 N
+force-no-contact = the recording of { $duration } contains no complete walking stance, because no channel exceeds 20 N
     .help = check the unit of force and the force column (options unit and force)
 force-no-stance-of-foot = the recording contains no complete stance of the { $foot } foot
     .help = all stances are of the other foot; use feet = "one" or "both"
@@ -68,11 +68,11 @@ note-rows-differ = the header states { $announced } rows, but the file has { $fo
 note-frames-missing = the header states { $announced } frames, but the file has { $found }
 note-lines-skipped = lines without a row of numbers were skipped; the first is line { $first-line }
 note-insole-columns = columns { $left } and { $right } are the sums of two equal groups of sensors; they are used as left and right insole
-note-insole-beside-plate = the table contains forces of a plate ({ $plate }) and of an insole ({ $insole }); the plate is used; name the columns of the insole to use it instead (option force)
+note-insole-beside-plate = the table contains forces of a plate ({ $plate }) and of an insole ({ $insole }), and the plate is used; to use the insole, name its columns (option force)
 note-stance-per-row = the table has one stance per row, { $rows } rows
 note-masses-missing = the mass is known for { $known } of { $rows } stances; add the others to the table of subjects (metadata)
 note-durations-lost = all stances have { $samples } samples, so their durations are unknown; a duration of { $assumed } is assumed
-note-rate-guessed = the table gives no sampling rate; { $rate } is assumed, which gives stances of { $stance }; if this is wrong, give the rate
+note-rate-guessed = the table has no sampling rate; the assumed rate of { $rate } results in stances of { $stance }; give the correct rate (option rate) if these are wrong
 note-rate-overrides-times = the given rate of { $rate } replaces the rate of the time column, { $column }
 note-time-unit-guessed = the time column has steps of { $step }; the assumed unit is { $unit ->
         [ms] milliseconds
@@ -87,12 +87,12 @@ note-rates-differ = the header gives a rate of { $header }, but the time column 
 note-uneven-samples = the samples are unevenly spaced in time and were resampled at constant intervals
 note-unit-guessed = the unit of force is not given; the peak of { $peak } indicates { $unit }
 note-unit-label-rejected = a peak of { $peak } is implausible in { $label }; the unit is assumed to be { $unit }
-note-low-force = no force exceeds { $peak }; if the forces are in body weights, give unit BW and the mass
+note-low-force = no force exceeds { $peak }; if the forces are in body weights, give the unit BW and the mass (options unit and mass)
 note-vertical-guessed = components { $vertical } and { $other } have similar magnitudes; { $vertical } is used as the vertical force
 note-feet-guessed = ground_force is used for the right foot, 1_ground_force for the left foot (convention of OpenSim's examples)
 note-no-plates = the file describes no force plate; analog channels are selected by their labels
-note-plate-type-unknown = plate { $plate } is ignored: TYPE { $kind } is not supported (supported: 1 to 7); to use the plate, name its force channel
-note-plate-channel-missing = plate { $plate } is ignored: its channel { $channel } is not in the file
+note-plate-type-unknown = plate { $plate } is ignored, because TYPE { $kind } is not supported (supported: 1 to 7); to use the plate, name its force channel
+note-plate-channel-missing = plate { $plate } is ignored, because its channel { $channel } is not in the file
 note-plate-matrix-missing = plate { $plate } is ignored: its calibration matrix is missing
 note-plate-tilted = plate { $plate } is not parallel to plate 1: at most one of their normal forces is vertical
 note-insole-mass = the mass of { $mass } is computed from the mean total force of the insoles, which are seldom calibrated; give the walker's mass
@@ -102,11 +102,11 @@ note-spikes-removed = { $count ->
         [one] a single sample of { $column } at { $first } differs strongly from both neighbours and was
        *[other] { $count } single samples of { $column } differ strongly from both neighbours (the first at { $first }) and were
     } replaced by a straight line
-note-drop-outs = { $column } lost samples { $count ->
+note-drop-outs = the readings of { $column } are zero under load { $count ->
         [one] once, at { $first }
        *[other] { $count } times, first at { $first }
-    }: its readings are zero under load; stances with such gaps are not used
-note-unloaded-differs = { $column } reads { $level } between contacts, but { $at-ends } at both ends of the recording; cross-talk of another plate or a changed offset makes the mass uncertain; give the mass (option mass)
+    } (lost samples); stances with such gaps are not used
+note-unloaded-differs = the unloaded reading of { $column } is { $level } between contacts, but { $at-ends } at both ends of the recording. Cross-talk or a changed offset makes the mass uncertain. Give the mass (option mass)
 note-stance-fills-span = { $stances ->
         [one] the stance from { $from } to { $to } fills the span
        *[other] the mean of { $stances } stances, the first from { $from } to { $to }, fills the span
@@ -115,24 +115,24 @@ note-cross-talk-removed = while { $column } is unloaded, it shows { $share } of 
 note-column-repeats = { $column } repeats { $original } (raw and filtered, or a copy) and was excluded
 note-drift-removed = the unloaded reading of { $column } drifts by { $rise } per second; the drift was removed
 note-stride-varies = the stride time is { $period } ± { $spread }, which is typical of several speeds or unsteady walking; give a recording at one speed
-note-stride-from-one = the stride time of { $period } is measured from only one step or stride and has an uncertainty of { $error }; the stroke of a cam is proportional to its square and has an uncertainty of { $stroke }
+note-stride-from-one = the stride time of { $period } is measured from only one step or stride and has an uncertainty of { $error }; the resulting uncertainty of the stroke is { $stroke }
 note-one-foot-for-both = { $stances ->
         [one] one stance of one foot is
        *[other] { $stances } stances of one foot are averaged and
     } repeated half a stride apart for the other foot (gait.feet = "both"); gait.feet = "one" gives the force of one foot
-note-stride-assumed = the recording does not contain the stride time; { $period } is assumed, with a stance of { $duty } of the stride: give the mass, the duration of a stride, or the angle that the stance covers (options mass, period and span)
-note-stride-implausible = the stride time of { $period } is outside the range of { $low } to { $high } for this movement: check the sampling rate (option rate) and the kind of movement (option kind)
-note-duty-implausible = the stance takes { $duty } of the stride, outside the range of { $low } to { $high } for this movement: check the kind of movement (option kind) and the sampling rate (option rate)
-note-peak-implausible = the peak force of a stance is { $ratio } body weights, outside the range of { $low } to { $high } for this movement: check the mass, the unit of force and the kind of movement (options mass, unit and kind)
+note-stride-assumed = the recording does not contain the stride time; { $period } is assumed, with a stance of { $duty } of the stride. Give the mass, the stride time or the angle of the stance (options mass, period and span)
+note-stride-implausible = the stride time of { $period } is implausible for this movement (range { $low } to { $high }): check the sampling rate and the kind (options rate and kind)
+note-duty-implausible = a stance of { $duty } of the stride is implausible for this movement (range { $low } to { $high }): check the kind and the sampling rate (options kind and rate)
+note-peak-implausible = a peak force of { $ratio } body weights is implausible for this movement (range { $low } to { $high }): check mass, unit and kind (options mass, unit and kind)
 note-mean-force-not-weight = the mean force over a stride is { $ratio } times { $share ->
         [half] half the
        *[whole] the
     } weight of { $mass }, but the expected ratio is 1: the mass, the unit of force or its calibration is wrong, or a foot is missing
 note-mass-implausible = a mean force of { $mean } over a stride corresponds to a walker of { $mass }: the unit of force or its calibration is wrong, or a foot is missing
-note-unit-unconfirmed = the unit of force is not given; in { $unit }, the mass would be { $mass }, which is implausible for an adult: give the unit or the mass (options unit and mass)
-note-left-open = the file is the mean cycle of a recording about which this question is open
-note-clock-differs = according to its time column the file lasts { $clock }, but the given period is { $period }: the time is scaled to the given period
-note-count-or-milliseconds = the time column increases by 1 and has no unit; in milliseconds a stride would take { $stride }, but the column may also count samples: give the sampling rate (option rate)
+note-unit-unconfirmed = the unit of force is not given, and { $unit } would result in an implausible mass of { $mass }: give the unit or the mass (options unit and mass)
+note-left-open = the file is the mean cycle of a recording for which this question was not answered
+note-clock-differs = the time column covers { $clock }, but the given period is { $period }: the times are scaled to the given period
+note-count-or-milliseconds = the time column has no unit and increases by 1. It counts samples, or it is in milliseconds and a stride takes { $stride }. Give the sampling rate (option rate)
 note-kind-differs = kind { $typed } is given, but the contacts show { $movement ->
         [running] { kind-running }
         [standing] { kind-standing }
@@ -142,7 +142,7 @@ note-kind-differs = kind { $typed } is given, but the contacts show { $movement 
        *[other] { kind-other }
     }
 note-speed-changes = the speed changes during the recording; the mean is computed from { $used } of { $stances } stances or steps that last { $low } to { $high }, the largest group of one speed
-note-few-alike = only { $used } of { $stances } contacts of a steady walk have a similar duration; the others are partial contacts or include the other foot, and are excluded
+note-few-alike = only { $used } of { $stances } contacts of a steady walk have a similar duration; the others are excluded (partial contacts, or contacts of both feet)
 note-stances-differ = the stances differ by { $share }; at most { $most } is expected (share of the body weight, or of the mean impulse of both feet). Possible causes: partial contacts, cross-talk, two feet on one plate, or feet that differ. Give the mass (option mass), or name the columns of whole stances (option force)
 note-total-column = the column is used as the total force of both feet
 note-plates-summed = the feet move from plate to plate, so the mean cycle is computed from the sum of { $plates } plates, which always carry the walker

@@ -12,13 +12,13 @@ force-unknown-feet = valor no válido «{ $word }» para feet
     .help = use both, one, left, right o total
 force-unknown-kind = «{ $word }» no es un tipo de movimiento
     .help = los tipos son walking, running, standing, jumping, sit-to-stand y other; el ciclo medio se calcula para walking (marcha) y running (carrera)
-force-unknown-doubt = «{ $word }» no se puede aceptar
-    .help = indique lo que ha comprobado en el registro: kind (tipo), clock (tiempo), mass (masa)
+force-unknown-doubt = «{ $word }» no es una propiedad que se pueda aceptar
+    .help = indique solo las propiedades del registro que ha comprobado: kind (tipo), clock (tiempo), mass (masa)
 force-no-joint-mean = { $trials ->
         [one] el registro no da
        *[other] ninguno de los { $trials } registros da
     } un ciclo para una media conjunta
-    .help = la tabla da los motivos; un ciclo se puede usar como gait.file
+    .help = la tabla contiene los motivos; indique en gait.file un solo ciclo
 force-unknown-unit = «{ $word }» no es una unidad de fuerza
     .help = las unidades son N, daN, kN, lbf, kgf, N/kg, BW y %BW
 force-unknown-model = «{ $name }» no es un modelo de carga
@@ -38,26 +38,26 @@ force-clock-implausible = con la columna de tiempo en milisegundos una zancada d
 force-running = el registro de { $duration } muestra carrera (contactos cortos con fases de vuelo entre ellos)
     .help = use kind = "running" para un ciclo de carrera, o dé un registro de marcha
 force-not-walking = el registro de { $duration } no muestra marcha: { $movement ->
-        [standing] una persona está de pie; la carga apenas cambia
+        [standing] la carga apenas cambia, como al estar de pie
         [jumping] ambos pies dejan el suelo o caen a la vez
         [sit-to-stand] la carga sube desde el peso de los pies hasta el peso corporal
        *[other] la marcha no es periódica
     }
     .help = dé un registro de marcha o carrera; para pasos muy lentos use kind = "walking"; para cualquier otra fuerza periódica use gait.period
-force-total-of-both-feet = { $duration } de registro no contienen ningún apoyo completo de un pie: la columna es la fuerza total de ambos pies, que no vuelve a cero
+force-total-of-both-feet = el registro de { $duration } no contiene ningún apoyo completo de un pie: la columna es la fuerza total de ambos pies, que no vuelve a cero
     .help = use feet = "both"
-force-no-stance = { $duration } de registro no contienen ningún apoyo completo de marcha
+force-no-stance = el registro de { $duration } no contiene ningún apoyo completo de marcha
     .help = { $contacts ->
         [one] se encontró un contacto, de { $from } a { $to }
        *[other] se encontraron { $contacts } contactos, el primero de { $from } a { $to }
     }; motivo de rechazo más frecuente: { $reason }
-force-no-stance-file-cut = { $duration } de registro no contienen ningún apoyo completo de marcha: la cabecera indica { $announced } filas, pero el archivo tiene { $found }
+force-no-stance-file-cut = el registro de { $duration } no contiene ningún apoyo completo de marcha: la cabecera indica { $announced } filas, pero el archivo tiene { $found }
     .help = exporte el ensayo completo; motivo de rechazo más frecuente: { $reason }
-force-force-too-low = ningún canal lleva carga en { $duration } de registro: la fuerza máxima es { $peak }
+force-force-too-low = ningún canal lleva carga en el registro de { $duration }: la fuerza máxima es { $peak }
     .help = si la fuerza está en N/kg o en pesos corporales, indique su unidad (opción unit) y la masa (opción mass)
-force-no-live-channel = { $duration } de registro no contienen ningún apoyo completo de marcha, porque ningún canal lleva carga
+force-no-live-channel = el registro de { $duration } no contiene ningún apoyo completo de marcha, porque ningún canal lleva carga
     .help = indique la columna de fuerza (opción force)
-force-no-contact = { $duration } de registro no contienen ningún apoyo completo de marcha, porque ningún canal supera 20 N
+force-no-contact = el registro de { $duration } no contiene ningún apoyo completo de marcha, porque ningún canal supera 20 N
     .help = compruebe la unidad de fuerza y la columna de fuerza (opciones unit y force)
 force-no-stance-of-foot = el registro no contiene ningún apoyo completo del pie { $foot }
     .help = todos los apoyos son del otro pie; use feet = "one" o "both"
@@ -68,11 +68,11 @@ note-rows-differ = la cabecera indica { $announced } filas, pero el archivo tien
 note-frames-missing = la cabecera indica { $announced } cuadros, pero el archivo tiene { $found }
 note-lines-skipped = se omitieron líneas sin una fila de números; la primera es la línea { $first-line }
 note-insole-columns = las columnas { $left } y { $right } son las sumas de dos grupos iguales de sensores; se usan como plantilla izquierda y derecha
-note-insole-beside-plate = la tabla contiene fuerzas de una plataforma ({ $plate }) y de una plantilla ({ $insole }); se usa la plataforma; para usar la plantilla, indique sus columnas (opción force)
+note-insole-beside-plate = la tabla contiene fuerzas de una plataforma ({ $plate }) y de una plantilla ({ $insole }), y se usa la plataforma; para usar la plantilla, indique sus columnas (opción force)
 note-stance-per-row = la tabla tiene un apoyo por fila, { $rows } filas
 note-masses-missing = la masa se conoce en { $known } de { $rows } apoyos; añada las demás a la tabla de sujetos (metadata)
 note-durations-lost = todos los apoyos tienen { $samples } muestras, de modo que se desconoce su duración; se supone una duración de { $assumed }
-note-rate-guessed = la tabla no da la frecuencia de muestreo; se supone { $rate }, lo que da apoyos de { $stance }; si no es correcta, indique la frecuencia
+note-rate-guessed = la tabla no tiene frecuencia de muestreo; la frecuencia supuesta de { $rate } da apoyos de { $stance }; si no son correctos, indique la frecuencia (opción rate)
 note-rate-overrides-times = la frecuencia indicada, { $rate }, sustituye a la de la columna de tiempo, { $column }
 note-time-unit-guessed = la columna de tiempo tiene incrementos de { $step }; la unidad supuesta es { $unit ->
         [ms] milisegundos
@@ -87,12 +87,12 @@ note-rates-differ = la cabecera da una frecuencia de { $header }, pero la column
 note-uneven-samples = las muestras no son equidistantes en el tiempo y se remuestrearon a intervalos constantes
 note-unit-guessed = no se da la unidad de fuerza; el pico de { $peak } indica { $unit }
 note-unit-label-rejected = un pico de { $peak } no es verosímil en { $label }; se supone la unidad { $unit }
-note-low-force = ninguna fuerza supera { $peak }; si las fuerzas están en pesos corporales, indique la unidad BW y la masa
+note-low-force = ninguna fuerza supera { $peak }; si las fuerzas están en pesos corporales, indique la unidad BW y la masa (opciones unit y mass)
 note-vertical-guessed = las componentes { $vertical } y { $other } son de magnitud similar; { $vertical } se usa como fuerza vertical
 note-feet-guessed = ground_force se usa para el pie derecho y 1_ground_force para el izquierdo (convenio de los ejemplos de OpenSim)
 note-no-plates = el archivo no describe ninguna plataforma de fuerza; los canales analógicos se eligen por sus etiquetas
-note-plate-type-unknown = se omite la plataforma { $plate }: TYPE { $kind } no se admite (se admiten 1 a 7); para usarla, indique su canal de fuerza
-note-plate-channel-missing = se omite la plataforma { $plate }: su canal { $channel } no está en el archivo
+note-plate-type-unknown = se omite la plataforma { $plate }, porque TYPE { $kind } no se admite (se admiten 1 a 7); para usarla, indique su canal de fuerza
+note-plate-channel-missing = se omite la plataforma { $plate }, porque su canal { $channel } no está en el archivo
 note-plate-matrix-missing = se omite la plataforma { $plate }: falta su matriz de calibración
 note-plate-tilted = la plataforma { $plate } no es paralela a la plataforma 1: como máximo una de sus fuerzas normales es vertical
 note-insole-mass = la masa de { $mass } se calcula con la fuerza total media de las plantillas, que rara vez están calibradas; indique la masa de la persona
@@ -102,11 +102,11 @@ note-spikes-removed = { $count ->
         [one] una muestra aislada de { $column } en { $first } difiere mucho de sus dos vecinas y se ha sustituido
        *[other] { $count } muestras aisladas de { $column } difieren mucho de sus dos vecinas (la primera en { $first }) y se han sustituido
     } por una línea recta
-note-drop-outs = { $column } perdió muestras { $count ->
+note-drop-outs = las lecturas de { $column } son cero bajo carga { $count ->
         [one] una vez, en { $first }
        *[other] { $count } veces, la primera en { $first }
-    }: sus lecturas son cero bajo carga; los apoyos con esos huecos no se usan
-note-unloaded-differs = { $column } lee { $level } entre contactos, pero { $at-ends } en ambos extremos del registro; la diafonía de otra plataforma o un cambio de la lectura sin carga hace incierta la masa; indique la masa (opción mass)
+    } (muestras perdidas); los apoyos con esos huecos no se usan
+note-unloaded-differs = la lectura sin carga de { $column } es { $level } entre contactos, pero { $at-ends } en ambos extremos del registro. La diafonía o un cambio de la lectura sin carga hace incierta la masa. Indique la masa (opción mass)
 note-stance-fills-span = { $stances ->
         [one] el apoyo de { $from } a { $to } ocupa la parte de la vuelta
        *[other] la media de { $stances } apoyos, el primero de { $from } a { $to }, ocupa la parte de la vuelta
@@ -115,24 +115,24 @@ note-cross-talk-removed = mientras { $column } está sin carga, muestra un { $sh
 note-column-repeats = { $column } repite { $original } (sin filtrar y filtrada, o una copia) y se ha omitido
 note-drift-removed = la lectura sin carga de { $column } deriva { $rise } por segundo; la deriva se ha eliminado
 note-stride-varies = la duración de la zancada es { $period } ± { $spread }, propia de varias velocidades o de una marcha no estable; indique un registro a una sola velocidad
-note-stride-from-one = la duración de la zancada, { $period }, se mide en un solo paso o zancada y tiene una incertidumbre de { $error }; la carrera de una leva es proporcional a su cuadrado y tiene una incertidumbre de { $stroke }
+note-stride-from-one = la duración de la zancada, { $period }, se mide en un solo paso o zancada y tiene una incertidumbre de { $error }; la incertidumbre resultante de la carrera es { $stroke }
 note-one-foot-for-both = { $stances ->
         [one] un apoyo de un pie se repite
        *[other] { $stances } apoyos de un pie se promedian y se repiten
     } con medio ciclo de diferencia para el otro pie (gait.feet = "both"); gait.feet = "one" da la fuerza de un pie
-note-stride-assumed = el registro no contiene la duración de la zancada; se supone { $period }, con un apoyo del { $duty } de la zancada: indique la masa, la duración de la zancada o el ángulo que cubre el apoyo (opciones mass, period y span)
-note-stride-implausible = la zancada de { $period } está fuera del intervalo de { $low } a { $high } de este movimiento: compruebe la frecuencia de muestreo (opción rate) y el tipo de movimiento (opción kind)
-note-duty-implausible = el apoyo ocupa { $duty } de la zancada, fuera del intervalo de { $low } a { $high } de este movimiento: compruebe el tipo de movimiento (opción kind) y la frecuencia de muestreo (opción rate)
-note-peak-implausible = la fuerza máxima de un apoyo es { $ratio } pesos corporales, fuera del intervalo de { $low } a { $high } de este movimiento: compruebe la masa, la unidad de fuerza y el tipo de movimiento (opciones mass, unit y kind)
+note-stride-assumed = el registro no contiene la duración de la zancada; se supone { $period }, con un apoyo del { $duty } de la zancada. Indique la masa, la duración de la zancada o el ángulo del apoyo (opciones mass, period y span)
+note-stride-implausible = la zancada de { $period } no es verosímil en este movimiento (intervalo de { $low } a { $high }): compruebe la frecuencia de muestreo y el tipo (opciones rate y kind)
+note-duty-implausible = un apoyo de { $duty } de la zancada no es verosímil en este movimiento (intervalo de { $low } a { $high }): compruebe el tipo y la frecuencia de muestreo (opciones kind y rate)
+note-peak-implausible = una fuerza máxima de { $ratio } pesos corporales no es verosímil en este movimiento (intervalo de { $low } a { $high }): compruebe masa, unidad y tipo (opciones mass, unit y kind)
 note-mean-force-not-weight = la fuerza media de una zancada es { $ratio } veces { $share ->
         [half] la mitad del
        *[whole] el
     } peso de { $mass }, pero la razón esperada es 1: la masa, la unidad de fuerza o su calibración es incorrecta, o falta un pie
 note-mass-implausible = una fuerza media de { $mean } en una zancada corresponde a una persona de { $mass }: la unidad de fuerza o su calibración es incorrecta, o falta un pie
-note-unit-unconfirmed = no se da la unidad de fuerza; en { $unit } la masa sería { $mass }, que no es verosímil en un adulto: indique la unidad o la masa (opciones unit y mass)
-note-left-open = el archivo es el ciclo medio de un registro sobre el que esta pregunta queda abierta
-note-clock-differs = según su columna de tiempo el archivo dura { $clock }, pero el período dado es { $period }: el tiempo se escala al período dado
-note-count-or-milliseconds = la columna de tiempo aumenta de 1 en 1 y no tiene unidad; en milisegundos una zancada duraría { $stride }, pero la columna también puede contar muestras: indique la frecuencia de muestreo (opción rate)
+note-unit-unconfirmed = no se da la unidad de fuerza, y { $unit } daría una masa inverosímil de { $mass }: indique la unidad o la masa (opciones unit y mass)
+note-left-open = el archivo es el ciclo medio de un registro para el que no se respondió esta pregunta
+note-clock-differs = la columna de tiempo abarca { $clock }, pero el período dado es { $period }: los tiempos se escalan al período dado
+note-count-or-milliseconds = la columna de tiempo no tiene unidad y aumenta de 1 en 1. Cuenta muestras, o está en milisegundos y una zancada dura { $stride }. Indique la frecuencia de muestreo (opción rate)
 note-kind-differs = se indica kind { $typed }, pero los contactos muestran { $movement ->
         [running] { kind-running }
         [standing] { kind-standing }
@@ -142,7 +142,7 @@ note-kind-differs = se indica kind { $typed }, pero los contactos muestran { $mo
        *[other] { kind-other }
     }
 note-speed-changes = la velocidad cambia durante el registro; la media se calcula con { $used } de { $stances } apoyos o pasos que duran de { $low } a { $high }, el mayor grupo de una misma velocidad
-note-few-alike = solo { $used } de { $stances } contactos de una marcha regular tienen una duración similar; los demás son contactos parciales o incluyen el otro pie, y se excluyen
+note-few-alike = solo { $used } de { $stances } contactos de una marcha regular tienen una duración similar; los demás se excluyen (contactos parciales o de ambos pies)
 note-stances-differ = los apoyos difieren en { $share }; se espera como máximo { $most } (parte del peso corporal, o del impulso medio de ambos pies). Causas posibles: contactos parciales, diafonía, dos pies en una plataforma o pies distintos. Indique la masa (opción mass) o las columnas de apoyos enteros (opción force)
 note-total-column = la columna se usa como la fuerza total de ambos pies
 note-plates-summed = los pies pasan de una plataforma a otra, así que el ciclo medio se calcula con la suma de { $plates } plataformas, que siempre soportan a la persona
