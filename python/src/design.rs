@@ -27,6 +27,9 @@ use crate::scene::Scene;
 use crate::synth::answer;
 use crate::table::Table;
 
+/// Inputs of a design: scene, force, limit of time (s), RMS force errors before and after a correction (N), and log files.
+type Inputs = (Scene, Option<Force>, f64, Option<(f64, f64)>, Vec<PathBuf>);
+
 /// A finished design: law of motion, cam, checks and verdict.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Design {
@@ -370,11 +373,18 @@ impl Design {
         ))
     }
 
-    fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, (Scene, Option<Force>, f64)> {
-        // The inputs determine a design, so only the inputs are pickled.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, Inputs> {
+        // The inputs determine a design, so only the inputs are pickled. A corrected cam also needs the figures of its logs.
         let restore = py.get_type::<Design>().getattr("_restore")?;
-        let question = (self.asked.clone(), self.force.clone(), self.time_limit);
-        Ok((restore, question))
+        let figures = self.recut.map(|r| (r.before_rms_n, r.predicted_rms_n));
+        let inputs = (
+            self.asked.clone(),
+            self.force.clone(),
+            self.time_limit,
+            figures,
+            self.logs.clone(),
+        );
+        Ok((restore, inputs))
     }
 
     #[staticmethod]
@@ -383,8 +393,16 @@ impl Design {
         scene: PyRef<'_, Scene>,
         force: Option<PyRef<'_, Force>>,
         time_limit: f64,
+        figures: Option<(f64, f64)>,
+        logs: Vec<PathBuf>,
     ) -> PyResult<Design> {
-        answer(py, scene.clone(), force.as_deref().cloned(), time_limit)
+        let mut design = answer(py, scene.clone(), force.as_deref().cloned(), time_limit)?;
+        design.recut = figures.map(|(before_rms_n, predicted_rms_n)| Recut {
+            before_rms_n,
+            predicted_rms_n,
+        });
+        design.logs = logs;
+        Ok(design)
     }
 
     fn __repr__(&self) -> String {

@@ -43,6 +43,7 @@ def test_a_log_gives_the_machine_and_the_next_cam(tmp_path):
     cut = design.recut(log(9))
     assert cut.summary["recut"]["predicted_rms_n"] < 3.6 < 6 < cut.summary["recut"]["before_rms_n"]
     assert cut.verdict == "acceptable" and "recut" not in design.summary
+    assert pickle.loads(pickle.dumps(cut)).summary["recut"] == cut.summary["recut"]
     with pytest.raises(gaitcam.NoSuchCam, match="noise"):
         design.recut(log(0))
     (tmp_path / "bad.csv").write_text("time_s,force_n\n0,1\n")

@@ -37,7 +37,7 @@ pub struct Carrier<'a> {
     pub follower: Follower,
     /// Coefficient of sliding friction of the follower.
     pub friction: f64,
-    /// Number of steps of the shaft motion between the breaks of the law.
+    /// Number of equal parts of the turn at whose ends integration steps of the shaft motion end. Further steps end at the breaks of the law.
     pub steps: usize,
 }
 

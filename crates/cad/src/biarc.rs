@@ -24,7 +24,7 @@ pub struct Arcs {
     pub vertices: Vec<[f64; 3]>,
     /// Whether the last edge ends at the first vertex.
     pub closed: bool,
-    /// Maximum distance between the exact profile and the arcs, m, at 64 points of each pair of arcs.
+    /// Maximum distance between the exact profile and the arcs, m, at 63 points between the ends of each pair of arcs.
     pub deviation: f64,
 }
 

@@ -45,6 +45,16 @@ pub struct Save {
 /// A file name is invalid, or the folder is not writable.
 pub fn save(studio: &Studio, save: &Save) -> Result<Value> {
     let mut table = table(&save.scene)?;
+    // The name of the scene is checked before the recording is written.
+    if save.name.trim().is_empty() {
+        let name = save.name.clone();
+        return Err(StudioError::FileName { name }.into());
+    }
+    let name = match save.name.ends_with(".toml") {
+        true => save.name.clone(),
+        false => format!("{}.toml", save.name),
+    };
+    studio.folder.check_name(&name)?;
     let file = table
         .get("gait")
         .and_then(|g| g.get("file"))
@@ -65,14 +75,6 @@ pub fn save(studio: &Studio, save: &Save) -> Result<Value> {
         }
         written.push(name);
     }
-    if save.name.trim().is_empty() {
-        let name = save.name.clone();
-        return Err(StudioError::FileName { name }.into());
-    }
-    let name = match save.name.ends_with(".toml") {
-        true => save.name.clone(),
-        false => format!("{}.toml", save.name),
-    };
     written.push(studio.folder.write_new(&name, text.as_bytes())?);
     Ok(json!({"written": written, "scene": text}))
 }

@@ -109,6 +109,24 @@ impl Folder {
         Ok(read)
     }
 
+    /// Rejects a file name that is invalid on one of the platforms, is hidden or contains a folder.
+    ///
+    /// # Errors
+    ///
+    /// The file name is invalid.
+    pub fn check_name(&self, name: &str) -> Result<()> {
+        let plain = !name.is_empty()
+            && !name.starts_with('.')
+            && !name
+                .chars()
+                .any(|c| c.is_control() || "/\\:*?\"<>|".contains(c));
+        if plain {
+            return Ok(());
+        }
+        let name = name.to_string();
+        Err(StudioError::FileName { name }.into())
+    }
+
     /// Writes a new file and returns its name. If a file with the requested name exists, the first free number is added (`walk.toml`,
     /// `walk-2.toml`). Existing files are not replaced.
     ///
@@ -116,15 +134,7 @@ impl Folder {
     ///
     /// The file name is invalid, or the folder is not writable.
     pub fn write_new(&self, name: &str, bytes: &[u8]) -> Result<String> {
-        let plain = !name.is_empty()
-            && !name.starts_with('.')
-            && !name
-                .chars()
-                .any(|c| c.is_control() || "/\\:*?\"<>|".contains(c));
-        if !plain {
-            let name = name.to_string();
-            return Err(StudioError::FileName { name }.into());
-        }
+        self.check_name(name)?;
         let (stem, ending) = name.rsplit_once('.').unwrap_or((name, "toml"));
         for number in 1.. {
             let name = match number {

@@ -237,6 +237,22 @@ fn a_scene_is_saved_beside_what_is_there_never_over_it() {
 }
 
 #[test]
+fn an_invalid_name_of_a_scene_leaves_no_recording_behind() {
+    let studio = Running::new();
+    let files = json!([{"name": "hand.csv", "hash": drawn(&studio, 300.0)}]);
+    let scene = "name = \"a\"\n[gait]\nfile = \"hand.csv\"\n";
+    for name in ["", " ", ".toml", "a/b", "a:b.toml"] {
+        let body = json!({"scene": scene, "name": name, "files": files}).to_string();
+        let answer = studio.post("save", body.as_bytes()).json();
+        assert_eq!(answer["error"]["code"], "studio-file-name", "{name}");
+        assert!(!studio.inside().join("hand.csv").exists(), "{name}");
+    }
+    let body = json!({"scene": scene, "name": "a", "files": files}).to_string();
+    let answer = studio.post("save", body.as_bytes()).json();
+    assert_eq!(answer["written"], json!(["hand.csv", "a.toml"]), "{answer}");
+}
+
+#[test]
 fn scenes_saved_at_once_under_one_name_each_keep_their_text() {
     let studio = Running::new();
     let save = &|k: usize| {

@@ -131,8 +131,7 @@ fn the_normal_force_does_the_work_that_the_shaft_gives() {
             let through = dot(contact.normal, of_cam) / dot(contact.normal, of_follower);
             assert!((through - at.v).abs() < 1e-14, "{}", name(&cam, theta));
             // The contact normal equals the profile normal, rotated to the fixed frame.
-            let [a, b] = [cam.point(theta), cam.point(theta)].map(|p| cam.normal(&p));
-            assert_eq!(a, b);
+            let a = cam.normal(&cam.point(theta));
             let turn = if matches!(
                 cam.follower,
                 Follower::TranslatingCam { .. } | Follower::Barrel { .. }
