@@ -324,8 +324,10 @@ pub(crate) fn change(next: &Difference, lever: f64, words: &Words) -> String {
             &[("model", model), ("fault", &fault)],
         );
     }
-    let same = next.force_min.abs().max(next.force_max.abs()) < LEAST_CHANGE
-        && next.rms_error.is_none_or(|e| e.abs() < LEAST_CHANGE)
+    let [least, most] = [next.force_min / lever, next.force_max / lever];
+    let error = next.rms_error.map(|e| e / lever);
+    let same = least.abs().max(most.abs()) < LEAST_CHANGE
+        && error.is_none_or(|e| e.abs() < LEAST_CHANGE)
         && next.lost_fraction.abs() < LEAST_CHANGE;
     if same {
         return words.fill("simulation-next-same", &[("model", model)]);
@@ -335,13 +337,13 @@ pub(crate) fn change(next: &Difference, lever: f64, words: &Words) -> String {
         let sign = if x > 0.0 { "+" } else { "" };
         format!("{sign}{}", words.number(x))
     };
-    let error = next.rms_error.map_or(String::new(), |e| {
-        words.fill("simulation-next-rms", &[("rms", &signed(e / lever))])
+    let error = error.map_or(String::new(), |e| {
+        words.fill("simulation-next-rms", &[("rms", &signed(e))])
     });
     let values = [
         ("model", model),
-        ("least", &*signed(next.force_min / lever)),
-        ("most", &*signed(next.force_max / lever)),
+        ("least", &*signed(least)),
+        ("most", &*signed(most)),
         ("error", &*error),
         ("lost", &*signed(100.0 * next.lost_fraction)),
     ];

