@@ -90,7 +90,8 @@ pub enum Verdict {
     Acceptable,
     /// Every check passes, but the acceleration has a jump. The cam is only suitable for slow machines.
     NotForHighSpeed,
-    /// A check fails, or the lift or the velocity has a jump.
+    /// A check fails, or the lift or the velocity has a jump. A design is also unacceptable if its scene is infeasible or has an open
+    /// question, if its mean force differs from the weight, or if the search was stopped.
     Unacceptable,
 }
 

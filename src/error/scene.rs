@@ -5,7 +5,7 @@ use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// Errors in a scene file. Text fields contain the text that the user typed.
+/// Errors in a scene file. Fields named `typed` contain the text that the user typed.
 ///
 /// ```
 /// use gaitcam::error::SceneError;

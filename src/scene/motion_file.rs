@@ -63,7 +63,7 @@ fn find_table<'a>(path: &Path, bytes: &'a [u8], purpose: &str) -> Result<NumberT
     })
 }
 
-/// Replaces the name of the file with the torque curve of the motor by the rows of the file.
+/// Reads the file of the torque curve of the motor. Its speeds and torques replace the file name in `machine.motor.curve`.
 fn put_curve(scene: &mut Table, read: &mut dyn FnMut(&Path) -> Result<Content>) -> Result<()> {
     let Some(file) = curve_file(scene).map(str::to_string) else {
         return Ok(());

@@ -36,7 +36,8 @@ const MACHINE_ROOMS: [f64; 5] = [0.0, 1e-3, 1e-2, 0.05, 0.2];
 const FAR: f64 = 10.0;
 /// Relative change of several limits that is tried first.
 const SMALL: f64 = 0.01;
-/// Tolerance of a value, relative to the first sufficient value, if the rounding step becomes too small.
+/// Tolerance at which the bisection for a sufficient value ends, relative to the first sufficient value. It applies if the steps
+/// between rounded values are smaller, for example near zero.
 const SMALLEST: f64 = 1e-7;
 /// Relative tolerance of a sufficient value, for a machine that responds to the cam.
 const ON_MACHINE: f64 = 5e-3;

@@ -42,7 +42,7 @@ design-stretched = One turn takes { $turn }, but the force cycle takes { $cycle 
 design-rounded-table = The lifts in the table of segment { $segment } are rounded. The rounding errors can cause up to { $share } of the maximum acceleration of the segment. Give lifts with more decimals.
 design-not-judged = { $key } = "none" switches the default limit off.
 design-mean-force = The mean target force is { $mean }, but the weight of the mass is { $weight }. A cam cannot change the mean force over a turn, so the force error is at least { $error } RMS. Set drive.mass = "auto" or gait.scale = "to-mass".
-design-free-fall = The target force is near zero for { $share } of the turn ({ $duration }). There the mass must be in free fall, which alone requires a lift of about { $lift }. In walking, the total force of both feet (feet = "both") does not reach zero.
+design-free-fall = The target force is near zero for { $share } of the turn ({ $duration }). There the mass must be in free fall, which alone requires a lift of about { $lift }. In walking, the total force of both feet (feet = "both") does not reach zero. A hydraulic drive (drive.kind = "hydraulic") reproduces zero force without free fall.
 design-largest-stroke = The target force accelerates the mass by at most { $acceleration }. The stroke h is therefore at most { $stroke }, because 16 h/T² ≤ max|a| for a turn of duration T{ $idle ->
         [true] ; the stroke limit cannot be active
        *[other] {""}

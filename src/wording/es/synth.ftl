@@ -42,7 +42,7 @@ design-stretched = Una vuelta dura { $turn }, pero el ciclo de fuerza dura { $cy
 design-rounded-table = Las elevaciones de la tabla del segmento { $segment } están redondeadas. Los errores de redondeo pueden causar hasta el { $share } de la aceleración máxima del segmento. Dé elevaciones con más decimales.
 design-not-judged = { $key } = "none": desactiva el límite habitual.
 design-mean-force = La fuerza objetivo media es { $mean }, pero el peso de la masa es { $weight }. Una leva no puede cambiar la fuerza media de una vuelta, de modo que el error de fuerza es como mínimo { $error } RMS. Fije drive.mass = "auto" o gait.scale = "to-mass".
-design-free-fall = La fuerza objetivo es casi nula durante { $share } de la vuelta ({ $duration }). Ahí la masa debe estar en caída libre, lo que por sí solo requiere una elevación de unos { $lift }. Al caminar, la fuerza total de ambos pies (feet = "both") no llega a cero.
+design-free-fall = La fuerza objetivo es casi nula durante { $share } de la vuelta ({ $duration }). Ahí la masa debe estar en caída libre, lo que por sí solo requiere una elevación de unos { $lift }. Al caminar, la fuerza total de ambos pies (feet = "both") no llega a cero. Un accionamiento hidráulico (drive.kind = "hydraulic") reproduce una fuerza nula sin caída libre.
 design-largest-stroke = La fuerza objetivo acelera la masa como máximo a { $acceleration }. Por eso la carrera h es como máximo { $stroke }, porque 16 h/T² ≤ máx|a| en una vuelta de duración T{ $idle ->
         [true] ; el límite de carrera no puede estar activo
        *[other] {""}

@@ -1,4 +1,4 @@
-//! Solid of a translating cam: the extruded area between the profile and the foot.
+//! Solid of a translating cam: the extruded area between the profile and the straight base of the plate.
 
 use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;

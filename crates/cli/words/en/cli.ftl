@@ -381,7 +381,7 @@ keys-default = default { $text }
 
 init-shaker = A mass on the cam that shakes a footbridge like a walker: F = M (g + d²s/dt²).
 init-walk = A cam for your own recording of walking, reproduced by a mass on the cam.
-init-heel-tester = A heel tester: the lift compresses oil or air in a cylinder, and the force increases with the lift.
+init-heel-tester = A heel tester: the lift compresses oil or air in a cylinder, and the force increases with the lift. For your own recording, write file = "walk.csv" instead of model, step_frequency and body_weight.
 init-spring-bench = A test bench with a spring for prosthetic feet, shoes or joints: F = F₀ + k s + m d²s/dt².
 init-programme = A classical cam from a programme of rises, falls and dwells, without a target force.
 init-written = { $file } was written

@@ -381,7 +381,7 @@ keys-default = por defecto { $text }
 
 init-shaker = Una masa sobre la leva que excita una pasarela como un peatón: F = M (g + d²s/dt²).
 init-walk = Una leva para su propio registro de marcha, reproducido por una masa sobre la leva.
-init-heel-tester = Una ensayadora de tacones: la elevación comprime aceite o aire en un cilindro, y la fuerza crece con la elevación.
+init-heel-tester = Una ensayadora de tacones: la elevación comprime aceite o aire en un cilindro, y la fuerza crece con la elevación. Para un registro propio, escriba file = "walk.csv" en lugar de model, step_frequency y body_weight.
 init-spring-bench = Un banco de ensayo con muelle para pies protésicos, calzado o articulaciones: F = F₀ + k s + m d²s/dt².
 init-programme = Una leva clásica de un programa de subidas, bajadas y detenimientos, sin fuerza objetivo.
 init-written = se ha escrito { $file }

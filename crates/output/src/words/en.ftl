@@ -56,7 +56,7 @@ report-satisfied = satisfied
 report-at-limit = at the limit
 report-violated = violated
 report-active-limits = Active limits
-report-no-active-limits = No limit is active.
+report-no-active-limits = No limit restricts the law.
 report-times = Points
 report-multiplier = Maximum multiplier (SI)
 report-multiplier-note = Lagrange multiplier of the objective; the most restrictive limit has the maximum multiplier.
@@ -146,7 +146,7 @@ report-now-moment = moment on the arm
 report-torque = shaft torque T
 report-push = force along the travel
 report-gap = gap
-report-radius-at-contact = radius at contact
+report-radius-at-contact = radius of curvature at contact
 report-phi = pressure angle φ
 report-inverted = The shaft is shown fixed; in the machine the plate is fixed and the shaft rises.
 

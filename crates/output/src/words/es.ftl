@@ -56,7 +56,7 @@ report-satisfied = cumplido
 report-at-limit = en el límite
 report-violated = incumplido
 report-active-limits = Límites activos
-report-no-active-limits = Ningún límite está activo.
+report-no-active-limits = Ningún límite restringe la ley.
 report-times = Puntos
 report-multiplier = Multiplicador máximo (SI)
 report-multiplier-note = Multiplicador de Lagrange del objetivo; el límite más restrictivo tiene el multiplicador máximo.
@@ -146,7 +146,7 @@ report-now-moment = momento en el brazo
 report-torque = par en el eje T
 report-push = fuerza a lo largo del recorrido
 report-gap = separación
-report-radius-at-contact = radio en el contacto
+report-radius-at-contact = radio de curvatura en el contacto
 report-phi = ángulo de presión φ
 report-inverted = El eje se muestra fijo; en la máquina la placa está fija y el eje sube.
 

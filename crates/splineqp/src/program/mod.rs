@@ -202,8 +202,8 @@ impl<N: Names> Program<N> {
         self.reference.as_ref().filter(|_| limit.from_reference)
     }
 
-    /// The program without the ranges of free position. `None` if there are no such limits, or if the width of a range is minimised. Also
-    /// `None` if one of these limits was active in a similar program.
+    /// The program without the limits on ranges of values whose position is free. `None` if there are no such limits, or if the width of
+    /// a range is minimised. Also `None` if one of these limits was active in a similar program.
     pub fn without_windows(&self) -> Option<Program<N>> {
         let mut windows = self.limits.iter().filter(|l| l.is_window).peekable();
         if windows.peek().is_none() || windows.any(Limit::is_peak) {

@@ -35,7 +35,7 @@ pub struct InitArgs {
     /// Machine; if omitted, the machines are listed
     machine: Option<Machine>,
     /// File to write, or - for standard output (default MACHINE.toml)
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", requires = "machine")]
     out: Option<PathBuf>,
 }
 

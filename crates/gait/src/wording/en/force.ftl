@@ -157,12 +157,12 @@ cycle-whole-strides = { $strides ->
         [right] , from right heel strike
        *[none] {""}
     }
-cycle-right-and-left = { $right } right and { $left } left single stances, half a stride apart; stride time from { $period }
-cycle-two-feet = { $one ->
+cycle-right-and-left = force of both feet together from { $right } right and { $left } left single stances, half a stride apart; stride time from { $period }
+cycle-two-feet = force of both feet together from { $one ->
         [one] one single stance
        *[other] { $one } single stances
     } of one foot and { $other } of the other, half a stride apart; stride time from { $period }
-cycle-any-foot = { $stances ->
+cycle-any-foot = force of both feet together from { $stances ->
         [one] one single stance
        *[other] { $stances } single stances
     }, repeated half a stride apart; stride time from { $period }

@@ -157,18 +157,18 @@ cycle-whole-strides = { $strides ->
         [right] , desde el contacto del talón derecho
        *[none] {""}
     }
-cycle-right-and-left = { $right ->
+cycle-right-and-left = fuerza de ambos pies juntos, de { $right ->
         [one] un apoyo derecho
        *[other] { $right } apoyos derechos
     } y { $left ->
         [one] uno izquierdo
        *[other] { $left } izquierdos
     }, separados media zancada; duración de la zancada: { $period }
-cycle-two-feet = { $one ->
+cycle-two-feet = fuerza de ambos pies juntos, de { $one ->
         [one] un apoyo
        *[other] { $one } apoyos
     } de un pie y { $other } del otro, separados media zancada; duración de la zancada: { $period }
-cycle-any-foot = { $stances ->
+cycle-any-foot = fuerza de ambos pies juntos, de { $stances ->
         [one] un apoyo, repetido
        *[other] { $stances } apoyos, repetidos
     } a media zancada; duración de la zancada: { $period }

@@ -172,8 +172,8 @@ impl<'a> Dual<'a> {
         }
     }
 
-    /// Index of the most violated inactive plane. All planes are checked in every step. With partial pricing, minimax problems with 25
-    /// spans had no certificate.
+    /// Index of the most violated inactive plane. All planes are checked in every step, because partial pricing gives no
+    /// certificate for minimax problems with 25 spans.
     fn most_violated(&self, planes: &[Plane], resolved: f64) -> Option<usize> {
         let mut worst = (0.0, None);
         for (i, plane) in planes.iter().enumerate() {
