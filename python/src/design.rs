@@ -69,6 +69,15 @@ impl Design {
         }
     }
 
+    /// The design with the figures of its correction (`None` without one) and the paths of the log files.
+    pub(crate) fn corrected(self, figures: Option<Recut>, logs: Vec<PathBuf>) -> Design {
+        Design {
+            recut: figures,
+            logs,
+            ..self
+        }
+    }
+
     fn summarised(&self, scene: &toml::Table) -> Value {
         match &self.outcome {
             Outcome::Built(design) => {
@@ -396,13 +405,12 @@ impl Design {
         figures: Option<(f64, f64)>,
         logs: Vec<PathBuf>,
     ) -> PyResult<Design> {
-        let mut design = answer(py, scene.clone(), force.as_deref().cloned(), time_limit)?;
-        design.recut = figures.map(|(before_rms_n, predicted_rms_n)| Recut {
+        let figures = figures.map(|(before_rms_n, predicted_rms_n)| Recut {
             before_rms_n,
             predicted_rms_n,
         });
-        design.logs = logs;
-        Ok(design)
+        let design = answer(py, scene.clone(), force.as_deref().cloned(), time_limit)?;
+        Ok(design.corrected(figures, logs))
     }
 
     fn __repr__(&self) -> String {

@@ -133,10 +133,8 @@ pub fn recut(
     let learned = next.to_table()["machine"]["learned_force"].clone();
     set_value(&mut table, "machine.learned_force", learned).raise(py)?;
     let scene = Scene::of_table(py, table, asked.files.clone(), asked.file.clone())?;
-    let mut cut = answer(py, scene, made.force.clone(), made.time_limit)?;
-    cut.recut = Some(figures);
-    cut.logs = files;
-    Ok(cut)
+    let next = answer(py, scene, made.force.clone(), made.time_limit)?;
+    Ok(next.corrected(Some(figures), files))
 }
 
 /// Reads logs from files or arrays. Also returns the paths of the log files.
