@@ -49,7 +49,7 @@ dynamics-no-load-speed = the no-load speed of the motor, { $nominal }, is too lo
     .help = set machine.motor.no_load_speed = "{ $needed }" or more, or a lower machine.motor.gear
 dynamics-few-programme-rows = the speed programme has only { $rows } rows
     .help = give at least three rows with the columns time_s,speed_rad_per_s
-dynamics-programme-row = row { $row } of the speed programme is out of order
+dynamics-programme-row = row { $row } of the speed programme is invalid
     .help = the times must increase, and the speeds must be positive
 dynamics-programme-turns = a speed programme needs a cam that turns and a law that repeats after one turn
     .help = use a cam of one turn per cycle

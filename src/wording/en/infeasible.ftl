@@ -12,7 +12,7 @@ reason-no-relaxation = Relaxing a single one of these limits is not sufficient.
 reason-all-together = Relaxing a single one of these limits is not sufficient. Together, these changes are sufficient: { $changes }.
 reason-far-relaxations = A change of one value is sufficient only if it is large: { $changes }.
 reason-far-together = No small change is sufficient. Together, these changes are sufficient: { $changes }.
-reason-out-of-reach = No small change is sufficient. These limits are infeasible even without the others and would have to change: { $changes }. With these values the other limits are not satisfied either.
+reason-out-of-reach = No small change is sufficient. Each of these limits is infeasible even without the others and would have to change: { $changes }. These changes together are still not sufficient.
 reason-not-the-limits = No change of limits or sizes is sufficient: the design is infeasible even without them. Change the speed, mass, spring, preload or the conditions on the law.
 reason-change = { $key } { $to } instead of { $from }
 

@@ -49,7 +49,7 @@ dynamics-no-load-speed = la velocidad en vacío del motor, { $nominal }, es dema
     .help = ponga machine.motor.no_load_speed = "{ $needed }" o más, o un machine.motor.gear menor
 dynamics-few-programme-rows = el programa de velocidad solo tiene { $rows } filas
     .help = indique al menos tres filas con las columnas time_s,speed_rad_per_s
-dynamics-programme-row = la fila { $row } del programa de velocidad está fuera de orden
+dynamics-programme-row = la fila { $row } del programa de velocidad no es válida
     .help = los tiempos deben crecer y las velocidades deben ser positivas
 dynamics-programme-turns = un programa de velocidad requiere una leva que gire y una ley que se repita después de una vuelta
     .help = use una leva de una vuelta por ciclo

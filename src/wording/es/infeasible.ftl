@@ -12,7 +12,7 @@ reason-no-relaxation = No basta con ampliar uno solo de estos límites.
 reason-all-together = No basta con ampliar uno solo de estos límites. Estos cambios juntos son suficientes: { $changes }.
 reason-far-relaxations = Solo basta un cambio grande de un valor: { $changes }.
 reason-far-together = Ningún cambio pequeño basta. Estos cambios juntos son suficientes: { $changes }.
-reason-out-of-reach = Ningún cambio pequeño basta. Estos límites no son factibles ni siquiera sin los demás y tendrían que cambiar: { $changes }. Con estos valores tampoco se cumplen los demás límites.
+reason-out-of-reach = Ningún cambio pequeño basta. Cada uno de estos límites no es factible ni siquiera sin los demás y tendría que cambiar: { $changes }. Estos cambios juntos tampoco bastan.
 reason-not-the-limits = Ningún cambio de límites o tamaños basta: el diseño no es factible ni siquiera sin ellos. Cambie la velocidad, la masa, el muelle, la precarga o las condiciones de la ley.
 reason-change = { $key } { $to } en lugar de { $from }
 

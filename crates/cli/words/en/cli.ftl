@@ -454,5 +454,5 @@ ecam-law = { $file }: { $points } intervals, { $curve }, { $number }; RMS deviat
 ecam-acceleration = { $file }: { $points } intervals, { $curve }, { $number }; RMS deviation from the designed acceleration { $added } % of its maximum
 
 # identify, recut.
-identify-no-cam = no cam exists for this log: { $why }
+identify-no-cam = the scene of this log has no cam: { $why }
 recut-error = force error measured before { $before } N RMS, predicted with the new cam { $after } N RMS

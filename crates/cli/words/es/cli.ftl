@@ -454,5 +454,5 @@ ecam-law = { $file }: { $points } intervalos, { $curve }, { $number }; desviaci�
 ecam-acceleration = { $file }: { $points } intervalos, { $curve }, { $number }; desviación RMS respecto a la aceleración diseñada { $added } % de su máximo
 
 # identify, recut.
-identify-no-cam = no existe una leva para este registro: { $why }
+identify-no-cam = la escena de este registro no tiene leva: { $why }
 recut-error = error de fuerza medido antes { $before } N RMS, previsto con la nueva leva { $after } N RMS
