@@ -294,7 +294,7 @@ fn a_folder_that_a_stopped_process_holds_is_given_up_within_the_time_limit() {
     assert_eq!(output.status.code(), Some(2));
     let words = stderr(&output);
     assert!(
-        words.contains(&format!("process {}", first.0.id())) && words.contains("--out"),
+        words.contains(&format!("process ({})", first.0.id())) && words.contains("--out"),
         "{words}"
     );
     assert!((2.0..3.2).contains(&took), "{took} s");

@@ -95,7 +95,7 @@ fn a_refused_recording_is_told_why_once() {
         (stdout(&run), stderr(&run))
     };
     let (said, fault) = told(&[]);
-    let reason = "a person stands";
+    let reason = "as in standing";
     assert!(!said.contains(reason), "{said}");
     assert_eq!(fault.matches(reason).count(), 1, "{fault}");
     // What is open follows the line that says that there is no cycle.

@@ -115,7 +115,7 @@ fn a_recording_that_was_named_has_to_give_a_cycle() {
     let fault = stderr(&run);
     assert_eq!(run.status.code(), Some(2));
     assert!(
-        fault.contains("standing.csv") && fault.contains("a person stands"),
+        fault.contains("standing.csv") && fault.contains("as in standing"),
         "{fault}"
     );
     let empty = tempfile::tempdir().unwrap();
