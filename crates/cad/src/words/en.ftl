@@ -7,7 +7,7 @@ drawing-largest-radius = maximum radius
 drawing-bore = bore
 drawing-keyway = keyway, height
 drawing-radii = φ: angle at the centre from the mark θ = 0, clockwise in this view. r: radius of the profile.
-drawing-radii-ball = b: distance of the centre of a ball R { $radius } { $unit } that touches the profile on this ray.
+drawing-radii-ball = b: distance to the centre of a ball R { $radius } { $unit }. This centre lies on the ray; the ball touches the profile.
 drawing-material = Material
 drawing-steel = steel
 drawing-roughness = Roughness, µm: profile (other faces)

@@ -7,7 +7,7 @@ drawing-largest-radius = radio máximo
 drawing-bore = agujero
 drawing-keyway = chavetero, altura
 drawing-radii = φ: ángulo en el centro desde la marca θ = 0, en sentido horario en esta vista. r: radio del perfil.
-drawing-radii-ball = b: distancia al centro de una bola R { $radius } { $unit } que toca el perfil en este rayo.
+drawing-radii-ball = b: distancia al centro de una bola R { $radius } { $unit }. Este centro está en el rayo; la bola toca el perfil.
 drawing-material = Material
 drawing-steel = acero
 drawing-roughness = Rugosidad, µm: perfil (otras caras)
