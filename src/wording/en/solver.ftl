@@ -15,7 +15,7 @@ method-exchange = { $rounds ->
 method-sequence = { $programs ->
         [one] one convex program
        *[other] { $programs } convex programs in sequence
-    } for the nonconvex limits; stopped: { $ended ->
+    } for the non-convex limits; stopped: { $ended ->
         [out-of-time] { ended-out-of-time }
         [most-steps] { ended-most-steps }
         [no-solution] { ended-no-solution }
@@ -32,7 +32,7 @@ ended-small-gain = steps improve the objective by less than one part in ten mill
 doubt-limits = a limit is exceeded by more than the solver's tolerance
 doubt-gap = the duality gap could not be closed to one part in a million
 doubt-touching-angle = the angle at which the law touches the base circle was found by search, without a proof that it is the best
-doubt-left-out = this law ignores the nonconvex limits, because no law was found that satisfies them
+doubt-left-out = this law was computed without the non-convex limits, because no law was found that satisfies them
 doubt-fixed-motion = it is the optimum for one motion of shaft and floor; laws that cause a different motion were not compared
 doubt-local = the problem is not convex, so only a local optimum is found; the gap refers to the best known lower bound
 

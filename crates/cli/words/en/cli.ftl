@@ -130,7 +130,7 @@ run-internal-error = internal error; please report it with { $file ->
         [none] the scene
        *[other] { $file }
     }
-run-no-command = No command is given; the built-in footbridge is designed. `gaitcam --help` lists the commands.
+run-no-command = No command is given, so the cam of the built-in scene footbridge is designed. `gaitcam --help` lists the commands.
 run-stdout = the output cannot be written to standard output ({ $fault })
 run-files = Files are in { $folder }; open { $first } first.
 

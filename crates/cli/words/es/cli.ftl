@@ -130,7 +130,7 @@ run-internal-error = error interno; comuníquelo junto con { $file ->
         [none] la escena
        *[other] { $file }
     }
-run-no-command = No se da ninguna orden; se diseña la pasarela incorporada. `gaitcam --help` muestra las órdenes.
+run-no-command = No se da ninguna orden, así que se diseña la leva de la escena incorporada footbridge. `gaitcam --help` muestra las órdenes.
 run-stdout = la salida no se puede escribir en la salida estándar ({ $fault })
 run-files = Los archivos están en { $folder }; abra primero { $first }.
 

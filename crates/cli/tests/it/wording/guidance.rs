@@ -201,7 +201,7 @@ fn a_run_without_a_command_says_what_it_designs() {
     assert_eq!(run.status.code(), Some(0));
     assert!(
         stderr(&run)
-            .starts_with("gaitcam: No command is given; the built-in footbridge is designed.")
+            .starts_with("gaitcam: No command is given, so the cam of the built-in scene footbridge is designed.")
     );
 }
 
