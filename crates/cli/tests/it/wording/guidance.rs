@@ -199,10 +199,9 @@ fn a_run_without_a_command_says_what_it_designs() {
     let folder = tempfile::tempdir().unwrap();
     let run = run_in(folder.path(), &[]);
     assert_eq!(run.status.code(), Some(0));
-    assert!(
-        stderr(&run)
-            .starts_with("gaitcam: No command is given, so the cam of the built-in scene footbridge is designed.")
-    );
+    assert!(stderr(&run).starts_with(
+        "gaitcam: No command is given, so the cam of the built-in scene footbridge is designed."
+    ));
 }
 
 #[test]
