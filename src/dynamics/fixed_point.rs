@@ -21,7 +21,7 @@ pub struct Round<D> {
 }
 
 /// Result of the fixed-point iteration.
-pub struct Settled<D> {
+pub struct FixedPoint<D> {
     /// Final design of the iteration.
     pub design: D,
     /// State that the final design causes; `None` if the iteration has converged.
@@ -44,7 +44,7 @@ pub fn settled<D>(
     mut given: Vec<f64>,
     allowed: f64,
     mut round: impl FnMut(&[f64]) -> Result<Round<D>>,
-) -> Result<Settled<D>> {
+) -> Result<FixedPoint<D>> {
     let mut path: Vec<[Vec<f64>; 2]> = Vec::new();
     let mut best: Option<(f64, Round<D>)> = None;
     let (mut before, mut contraction) = (None, None);
@@ -56,7 +56,7 @@ pub fn settled<D>(
         before = Some(size);
         let rounds = path.len() + 1;
         if size <= allowed {
-            return Ok(Settled {
+            return Ok(FixedPoint {
                 design: next.design,
                 made: None,
                 rounds,
@@ -70,7 +70,7 @@ pub fn settled<D>(
             best = Some((size, next));
         }
         if let Some((difference, best)) = best.take_if(|_| !has_law || rounds == ROUNDS) {
-            return Ok(Settled {
+            return Ok(FixedPoint {
                 design: best.design,
                 made: Some(best.made),
                 rounds,

@@ -97,7 +97,7 @@ pub enum Vibration {
     NoMass,
     Harmonics {
         frequency: Quantity,
-        ratio: f64,
+        ratio: Quantity,
         part: Quantity,
     },
 }

@@ -20,7 +20,7 @@ pub use difference::agree;
 pub use front::{Admission, Front, Objective, Point};
 pub use made::measured::{Behaviour, MadeCam};
 pub use made::scatter::Scattered;
-pub use made::tolerance::{Made, Part, Scatter, Spread, Tolerance};
+pub use made::tolerance::{Part, Scatter, Spread, Tolerance, ToleranceSample};
 pub use plan::axis::{Axis, Values};
 pub use plan::key::Key;
 pub use plan::sample::Method;

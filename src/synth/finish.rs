@@ -50,13 +50,15 @@ pub fn finished(problem: &Problem, search: &Search, attempt: Attempt, reports: R
         reasons.insert(0, Reason::OutOfTime);
     }
     let mut notes = problem.notes();
-    if matches!(reasons.first(), Some(Reason::MeanForce { .. })) {
-        notes.retain(|n| !matches!(n, Note::MeanForce { .. }));
-    }
     if out_of_time && infeasible.is_some() {
         notes.push(Note::OutOfTime);
     }
-    notes.extend(notes_on_size(problem, law.family, law.spans));
+    // If the mean force is unattainable, no number of spans helps.
+    if matches!(reasons.first(), Some(Reason::MeanForce { .. })) {
+        notes.retain(|n| !matches!(n, Note::MeanForce { .. }));
+    } else {
+        notes.extend(notes_on_size(problem, law.family, law.spans));
+    }
     notes.extend(sizing::notes(problem, &cam.cam, cam.pressing()));
     let end = reports.end.as_ref();
     notes.extend(end.map_or_else(Vec::new, |e| e.notes(problem.drive.speed)));

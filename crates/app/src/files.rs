@@ -12,7 +12,7 @@ use crate::contents::Contents;
 pub use crate::group::Group;
 use crate::workshop::Piece;
 pub use crate::workshop::usual_cutter;
-use crate::workshop::{Made, Remark};
+use crate::workshop::{Exported, Remark};
 
 /// Kind of design for which a file exists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,9 +43,9 @@ enum Of {
 #[derive(Debug, Clone, Copy)]
 enum Maker {
     /// The file is always written.
-    Always(fn(&Source) -> Made),
+    Always(fn(&Source) -> Exported),
     /// The file is a figure in PNG format. It is written if [`Contents`] requests PNG.
-    Png(fn(&Source) -> Made),
+    Png(fn(&Source) -> Exported),
     /// The file is for CAD or manufacturing. It is written if an option in [`Contents`] requests it.
     Workshop(Piece),
     /// The file is always written, after all others, by [`design::finish`](crate::design::finish).
@@ -217,15 +217,15 @@ pub const ALL: [File; 38] = {
     ]
 };
 
-fn made(bytes: impl Into<Vec<u8>>) -> Made {
+fn made(bytes: impl Into<Vec<u8>>) -> Exported {
     Ok((Some(bytes.into()), Vec::new()))
 }
 
-fn none() -> Made {
+fn none() -> Exported {
     Ok((None, Vec::new()))
 }
 
-fn second_profile(source: &Source) -> Made {
+fn second_profile(source: &Source) -> Exported {
     match &source.design.conjugate {
         Some(pair) => made(csv::points(&pair.second_profile(source.contents.points))),
         None => none(),
@@ -274,7 +274,7 @@ impl File {
     /// # Errors
     ///
     /// The cutter has no path, or a workbook or mesh cannot be assembled.
-    pub fn make(&self, source: &Source) -> Made {
+    pub fn make(&self, source: &Source) -> Exported {
         match self.maker {
             Maker::Always(make) | Maker::Png(make) => make(source),
             Maker::Workshop(piece) => {

@@ -13,7 +13,7 @@ use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
 use crate::input::SceneArgs;
-use crate::input::made::Made;
+use crate::input::made::CamInMachine;
 use crate::walk::{dampings, list};
 use gaitcam::cam::Verdict;
 use gaitcam::dynamics::{Misfit, RepeatedForce};
@@ -73,7 +73,7 @@ pub fn dialects() -> impl TypedValueParser<Value = Dialect> {
 
 /// Writes the file of the electronic cam. The exit code is 3 if the design has no cam.
 pub fn run(args: &EcamArgs) -> Result<u8> {
-    let made = Made::read(&SceneArgs::of(args.design.clone()), &[])?;
+    let made = CamInMachine::read(&SceneArgs::of(args.design.clone()), &[])?;
     let design = made.design()?.0.built()?;
     if let Some(why) = design.no_cam(language::current()) {
         report(words::fill("ecam-no-cam", &json!({"why": why})));
@@ -112,7 +112,7 @@ pub fn run(args: &EcamArgs) -> Result<u8> {
 }
 
 /// Writes the file to the path given by the user, otherwise to the folder of the design. Returns the path of the file.
-fn written(args: &EcamArgs, made: &Made, cam: &ElectronicCam) -> Result<String> {
+fn written(args: &EcamArgs, made: &CamInMachine, cam: &ElectronicCam) -> Result<String> {
     if let Some(out) = &args.out {
         write_whole(out, cam.text.as_bytes())?;
         return Ok(out.display().to_string());
@@ -134,7 +134,7 @@ struct Several {
 
 /// Design for `count` consecutive recorded strides. The misfits compare two responses of a lightly damped mode: to the force of this
 /// design, and to all recorded strides.
-fn of_strides(made: &Made, design: &Design, count: usize) -> Result<Several> {
+fn of_strides(made: &CamInMachine, design: &Design, count: usize) -> Result<Several> {
     let walk = design.walk();
     let recorded = walk.as_ref().map_or(0, Walk::strides);
     let few = || CliError::StridesMissing { count, recorded }.at_argument("--strides");

@@ -12,7 +12,7 @@ use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
-use crate::input::made::Made;
+use crate::input::made::CamInMachine;
 use crate::input::searching::TimeLimit;
 use crate::input::{self, SceneArgs};
 use crate::synth::{self, SynthArgs, files_in};
@@ -132,7 +132,7 @@ impl LoggedArgs {
         };
         let read = |path: &PathBuf| Log::read(path, &read_bytes(path)?, &options);
         let logs = self.logs.iter().map(read).collect::<Result<Vec<Log>>>()?;
-        let made = Made::read(&SceneArgs::of(self.design.clone()), &[])?;
+        let made = CamInMachine::read(&SceneArgs::of(self.design.clone()), &[])?;
         let folder = place(&made.input)?;
         if let Some(folder) = &folder {
             inputs::check_in(folder, names)?;

@@ -10,7 +10,7 @@ use crate::console::language;
 use crate::console::terminal::{print, report};
 use crate::console::words;
 use crate::input::SceneArgs;
-use crate::input::made::Made;
+use crate::input::made::CamInMachine;
 use gaitcam::cam::Cam;
 use gaitcam::error::{Placed, Result, SceneError};
 use gaitcam_app::folder::write_whole;
@@ -114,7 +114,7 @@ pub fn run(args: &PointsArgs) -> Result<u8> {
     if args.cad == Program::Fusion && args.units.is_some() {
         return Err(SceneError::PointsOfFusion.at_argument("--units"));
     }
-    let made = Made::read(&SceneArgs::of(args.design.clone()), &[])?;
+    let made = CamInMachine::read(&SceneArgs::of(args.design.clone()), &[])?;
     let design = made.design()?.0.built()?;
     if let Some(why) = design.no_cam(language::current()) {
         report(words::fill("ecam-no-cam", &json!({"why": why})));

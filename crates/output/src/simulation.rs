@@ -191,7 +191,14 @@ pub(crate) fn shaft(shaft: &Shaft, words: &Words) -> Vec<(&'static str, String)>
 /// Rows of the result table on force, force error, bearing loads, torque and contact pressure.
 fn loads(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static str, String)> {
     let force = measures.force().name;
-    let [low, high] = [outcome.force.min, outcome.force.max].map(|f| words.number(f));
+    let [low, high] = [outcome.force.min, outcome.force.max];
+    // A minimum of zero contains a rounding error of the maximum.
+    let low = if low.abs() <= 1e-9 * high.abs() {
+        0.0
+    } else {
+        low
+    };
+    let [low, high] = [low, high].map(|f| words.number(f));
     let mut lines = vec![("simulation-force", format!("{low} … {high} {force}"))];
     if let Some(error) = outcome.force.rms_error {
         let error = format!("{} {force} RMS", words.number(error));
@@ -278,7 +285,7 @@ fn motion(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static
 
 /// Difference between the results of two models below which it counts as a rounding error. The difference is in N, or in N·m for an arm.
 /// For lost contact, it is a fraction of the cycle.
-const LEAST_CHANGE: f64 = 5e-5;
+const LEAST_CHANGE: f64 = 5e-4;
 
 fn impact_json(hit: &Impact) -> Value {
     json!({

@@ -21,7 +21,7 @@ pub const INTERVALS: u64 = 200;
 const ASKED: [f64; 2] = [1.0, 0.5];
 
 /// Identified parameter with its true value.
-pub type Found = (Parameter, f64);
+pub type Estimate = (Parameter, f64);
 
 /// Errors of a twin before and after corrected cams, percent of the weight.
 ///
@@ -37,7 +37,7 @@ pub fn errors(number: u64) -> Result<Vec<f64>> {
 /// # Errors
 ///
 /// A log that is rejected.
-pub fn parameters(class: Class, number: u64) -> Result<Vec<Found>> {
+pub fn parameters(class: Class, number: u64) -> Result<Vec<Estimate>> {
     Case::new(class, number)?.parameters()
 }
 
@@ -61,7 +61,7 @@ pub fn run(out: &Path) -> Result<()> {
 }
 
 /// Writes the report and its picture.
-fn write(out: &Path, errors: &[Vec<f64>], found: &[(Class, Vec<Found>)]) -> Result<()> {
+fn write(out: &Path, errors: &[Vec<f64>], found: &[(Class, Vec<Estimate>)]) -> Result<()> {
     let mut sorted: Vec<Vec<f64>> = (0..3)
         .map(|cut| errors.iter().map(|e| e[cut]).collect())
         .collect();
@@ -109,9 +109,9 @@ fn write(out: &Path, errors: &[Vec<f64>], found: &[(Class, Vec<Found>)]) -> Resu
         all => format!("{:.1} % of {all}", 100.0 * part as f64 / all as f64),
     };
     for class in [Class::Model, Class::TwoHarmonics, Class::Whole] {
-        let own: Vec<&Found> = of(found, class).collect();
+        let own: Vec<&Estimate> = of(found, class).collect();
         let held = own.iter().filter(|f| holds(f)).count();
-        let told: Vec<&&Found> = own.iter().filter(|f| f.0.identifiable).collect();
+        let told: Vec<&&Estimate> = own.iter().filter(|f| f.0.identifiable).collect();
         let told_held = told.iter().filter(|f| holds(f)).count();
         let twins = found.iter().filter(|f| f.0 == class).count();
         let row = [
@@ -181,14 +181,14 @@ fn line(page: &mut String, text: &str) {
     let _ = writeln!(page, "{text}");
 }
 
-fn of(found: &[(Class, Vec<Found>)], class: Class) -> impl Iterator<Item = &Found> {
+fn of(found: &[(Class, Vec<Estimate>)], class: Class) -> impl Iterator<Item = &Estimate> {
     found
         .iter()
         .filter(move |f| f.0 == class)
         .flat_map(|f| &f.1)
 }
 
-fn holds((p, truth): &Found) -> bool {
+fn holds((p, truth): &Estimate) -> bool {
     p.low.is_none_or(|low| low <= *truth) && p.high.is_none_or(|high| *truth <= high)
 }
 

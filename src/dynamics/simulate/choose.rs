@@ -115,6 +115,12 @@ fn force_margin(p: &Prepared, rigid: &Outcome, forces: &[f64], mean: f64) -> For
             liftoff,
         };
     }
+    // A minimum of zero contains a rounding error of the maximum.
+    let low = if low.abs() <= 1e-9 * largest {
+        0.0
+    } else {
+        low
+    };
     ForceMargin::SmallestForce {
         force: p.load(low),
         part: Quantity::share(low / mean),
@@ -159,7 +165,7 @@ fn vibration(train: &Train, p: &Prepared, forces: &[f64], mean: f64) -> (f64, Vi
     let part = sum.sqrt() / mean.abs();
     let known = Vibration::Harmonics {
         frequency: Quantity::new(natural / std::f64::consts::TAU, Dimension::Frequency),
-        ratio: natural / p.drive.speed,
+        ratio: Quantity::new(natural / p.drive.speed, Dimension::Ratio),
         part: Quantity::share(part),
     };
     (if part.is_nan() { f64::INFINITY } else { part }, known)

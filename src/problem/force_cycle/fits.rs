@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use splineqp::{Basis, Quadratic};
 
-use super::kept::Kept;
+use super::kept::Cache;
 use crate::drive::Drive;
 use crate::error::Result;
 use crate::problem::machine::Scaling;
@@ -27,9 +27,9 @@ pub type Objective = (Basis, Quadratic, Quadratic);
 /// Cached fits to one cycle of force.
 #[derive(Debug, Default)]
 pub struct Fits {
-    objectives: Kept<Arc<(FitKey, usize, Objective)>>,
+    objectives: Cache<Arc<(FitKey, usize, Objective)>>,
     /// Minimum numbers of spans. The second element contains the required RMS force error, N, and the lower bound of the search.
-    spans: Kept<(FitKey, [f64; 2], usize)>,
+    spans: Cache<(FitKey, [f64; 2], usize)>,
 }
 
 impl Fits {

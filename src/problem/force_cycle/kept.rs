@@ -7,15 +7,15 @@ const MOST: usize = 64;
 
 /// Cache. Each entry contains a result and the parameters from which it was computed.
 #[derive(Debug)]
-pub struct Kept<V>(Mutex<Vec<V>>);
+pub struct Cache<V>(Mutex<Vec<V>>);
 
-impl<V> Default for Kept<V> {
+impl<V> Default for Cache<V> {
     fn default() -> Self {
-        Kept(Mutex::default())
+        Cache(Mutex::default())
     }
 }
 
-impl<V: Clone> Kept<V> {
+impl<V: Clone> Cache<V> {
     /// The cached result for which `is_same` is true. If it does not exist, the result of `find` is cached and returned.
     ///
     /// # Errors

@@ -19,7 +19,7 @@ use nalgebra::DMatrix;
 use super::mean_force::MeanForce;
 use crate::force::{ForceCurve, FourierForce};
 use crate::poly::{Cells, PiecewisePoly, bernstein, gauss_legendre};
-use kept::Kept;
+use kept::Cache;
 use samples::Samples;
 
 /// Maximum degree of least-squares projections. With a higher degree, the rounding errors are too large.
@@ -34,7 +34,7 @@ pub struct ForceCycle {
     cells: OnceLock<Arc<Cells>>,
     mean_square: OnceLock<f64>,
     series: OnceLock<Series>,
-    projections: Kept<Arc<Projection>>,
+    projections: Cache<Arc<Projection>>,
     /// Cache of the splines that are fitted to the cycle.
     pub fits: Fits,
 }
@@ -92,7 +92,7 @@ impl ForceCycle {
             cells: OnceLock::new(),
             mean_square: OnceLock::new(),
             series: OnceLock::new(),
-            projections: Kept::default(),
+            projections: Cache::default(),
             fits: Fits::default(),
         }
     }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use serde_json::{Value, json};
 
-use super::tolerance::{Made, Scatter, Tolerance};
+use super::tolerance::{Scatter, Tolerance, ToleranceSample};
 use crate::error::{Result, SweepError};
 use crate::halt::Halt;
 use crate::problem::Problem;
@@ -135,7 +135,7 @@ impl Samples {
 }
 
 /// Values of a manufacturing sample, in the order of [`SAMPLE_COLUMNS`].
-fn numbers(made: Made) -> [f64; SAMPLE_COLUMNS.len()] {
+fn numbers(made: ToleranceSample) -> [f64; SAMPLE_COLUMNS.len()] {
     [
         made.profile_m,
         made.base_radius_m,

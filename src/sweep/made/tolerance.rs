@@ -157,7 +157,7 @@ impl Tolerance {
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Made {
+pub struct ToleranceSample {
     /// Sum of the amplitudes of all waves of the profile error, m.
     pub profile_m: f64,
     /// Error of the base radius, m.
@@ -241,7 +241,13 @@ impl Scatter {
     }
 
     /// Sample with the index `index` (from 0) of `count` samples. Equal values of `seed` give equal samples.
-    pub fn sample(&self, tolerances: &[Tolerance], index: u64, count: u64, seed: u64) -> Made {
+    pub fn sample(
+        &self,
+        tolerances: &[Tolerance],
+        index: u64,
+        count: u64,
+        seed: u64,
+    ) -> ToleranceSample {
         let drive = &self.drive;
         let (mut profile, mut radius, mut mass, mut speed) = (0.0, 0.0, 0.0, 0.0);
         for (axis, t) in tolerances.iter().enumerate() {
@@ -282,7 +288,7 @@ impl Scatter {
             .map(|(line, x)| x * line.iter().zip(&c).map(|(p, y)| p * y).sum::<f64>())
             .sum();
         let rms = square.max(0.0).sqrt();
-        Made {
+        ToleranceSample {
             profile_m: profile,
             base_radius_m: radius,
             mass_kg: mass,
@@ -435,7 +441,7 @@ mod tests {
         let design = design();
         let scatter = Scatter::new(&design).unwrap();
         let t = [Tolerance::parse("profile=0.05 mm").unwrap()];
-        let made: Vec<Made> = (0..200).map(|i| scatter.sample(&t, i, 200, 1)).collect();
+        let made: Vec<ToleranceSample> = (0..200).map(|i| scatter.sample(&t, i, 200, 1)).collect();
         assert!(made.iter().all(|m| m.profile_m <= 5e-5));
         let errors: Vec<f64> = made.iter().map(|m| m.force_rms_error_percent).collect();
         let spread = Spread::of(&errors, Some(100.0)).unwrap();

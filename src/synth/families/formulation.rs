@@ -286,14 +286,14 @@ fn mean_square(problem: &Problem, basis: &Basis) -> MeanSquare {
 
 /// Required values of the law-dependent part of the force at the quadrature nodes of every span, N. They are the target force minus the
 /// force at rest.
-struct Wanted {
+struct RequiredForce {
     nodes: usize,
     values: Vec<f64>,
     /// Whether the values come from the least-squares polynomials on the spans instead of the target itself.
     is_nearest: bool,
 }
 
-impl Wanted {
+impl RequiredForce {
     /// Function that writes the values of the next span at each call.
     fn filling(&self) -> impl FnMut(f64, f64, &[(f64, f64)], &mut [f64]) {
         let mut pieces = self.values.chunks_exact(self.nodes);
@@ -302,7 +302,7 @@ impl Wanted {
 }
 
 /// Target and its values for a basis; `None` without a target force. For splines, the least-squares polynomial on each span replaces the target.
-fn wanted<'a>(problem: &'a Problem, basis: &Basis) -> Option<(&'a Target, Wanted)> {
+fn wanted<'a>(problem: &'a Problem, basis: &Basis) -> Option<(&'a Target, RequiredForce)> {
     let target = problem.target.as_ref()?;
     let breaks = basis.breaks();
     let (nodes, mut values, is_nearest) = match basis {
@@ -321,7 +321,7 @@ fn wanted<'a>(problem: &'a Problem, basis: &Basis) -> Option<(&'a Target, Wanted
         }
     };
     (values.iter_mut()).for_each(|f| *f -= problem.drive.rest_force);
-    let wanted = Wanted {
+    let wanted = RequiredForce {
         nodes,
         values,
         is_nearest,

@@ -13,7 +13,7 @@ use super::assumed::Assumed;
 use super::runner::{ROWS, Runner, angle, depends_on_speed, retimed};
 use super::through_floor::FloorResponse;
 use crate::cam::{Check, Criterion};
-use crate::dynamics::fixed_point::{Round, Settled, largest_difference, settled};
+use crate::dynamics::fixed_point::{FixedPoint, Round, largest_difference, settled};
 use crate::dynamics::machine_motion::MachineMotion;
 use crate::dynamics::shaft::{InTime, Motion};
 use crate::dynamics::{Floor, FloorMotion};
@@ -44,6 +44,8 @@ const TIGHTER: usize = 4;
 const ROOM: f64 = 1e-4;
 /// Number of equally spaced angles at which the report contains speed and time.
 const TOLD_ROWS: usize = 1440;
+/// Maximum speed ripple that a message states. Ripples above it have no physical meaning.
+const LARGEST_RIPPLE: f64 = 2.0;
 /// Speed ripple up to which the iteration usually converges.
 const CALM: f64 = 0.25;
 /// Relative margins above the inertia that is sufficient for the present law. They are tried one after the other.
@@ -293,9 +295,9 @@ fn corrected(
     problem: &Problem,
     search: &Search,
 ) -> Result<(Iterate, usize, Option<f64>)> {
-    let rounds_of = |problem: &Problem, last: Option<&Iterate>| -> Result<Settled<Iterate>> {
+    let rounds_of = |problem: &Problem, last: Option<&Iterate>| -> Result<FixedPoint<Iterate>> {
         let begin = match last {
-            Some(last) => Begin::Settled(last),
+            Some(last) => Begin::FixedPoint(last),
             None => Begin::ConstantSpeed(first, &before),
         };
         let (mut settled, assumed) = rounds(begin, None, run, problem, search)?;
@@ -341,12 +343,12 @@ fn corrected(
 /// Optimum on a floor that responds to the law. The iteration starts from the optimum for a fixed floor motion and uses the same number of
 /// spans. If the iteration does not converge, the optimum for the fixed floor motion is returned.
 fn on_responding_floor(
-    mut settled: Settled<Iterate>,
+    mut settled: FixedPoint<Iterate>,
     floor: &Floor,
     run: &Runner,
     problem: &Problem,
     search: &Search,
-) -> Settled<Iterate> {
+) -> FixedPoint<Iterate> {
     let first = &settled.design.attempt;
     if first.law.solver.certificate.is_none() {
         return settled;
@@ -361,7 +363,7 @@ fn on_responding_floor(
         (law.family, law.spans) = (Family::Spline, Some(spans));
     }
     let response = FloorResponse::of(problem, floor, &first.law);
-    let begin = Begin::Settled(&settled.design);
+    let begin = Begin::FixedPoint(&settled.design);
     let found = rounds(begin, Some(response), run, &problem.with_law(law), search).ok();
     let found = found.filter(|(found, _)| {
         found.design.attempt.refusal.is_none() && found.difference <= ACCEPTED
@@ -400,7 +402,7 @@ enum Begin<'a> {
     /// The law for constant speed on a rigid floor, and the machine motion of this law.
     ConstantSpeed(&'a Attempt, &'a MachineMotion),
     /// Final iterate of a previous fixed-point iteration.
-    Settled(&'a Iterate),
+    FixedPoint(&'a Iterate),
 }
 
 /// Repeats design and simulation until the assumed machine motion agrees with the machine motion of the designed law.
@@ -410,10 +412,10 @@ fn rounds(
     run: &Runner,
     problem: &Problem,
     search: &Search,
-) -> Result<(Settled<Iterate>, Assumed)> {
+) -> Result<(FixedPoint<Iterate>, Assumed)> {
     let (first, before) = match begin {
         Begin::ConstantSpeed(first, before) => (first, before),
-        Begin::Settled(last) => (&last.attempt, &last.motion),
+        Begin::FixedPoint(last) => (&last.attempt, &last.motion),
     };
     let law = &first.law.law;
     let diverges = |motion: &MachineMotion| {
@@ -423,7 +425,7 @@ fn rounds(
         let inertia = inertia - problem.machine.motor.rotor_at_cam();
         let fault = SynthError::ShaftDiverges {
             inertia: Quantity::new(three_digits(inertia), Dimension::Inertia),
-            ripple: Quantity::share(three_digits(motion.shaft.ripple())),
+            ripple: Quantity::share(three_digits(motion.shaft.ripple().min(LARGEST_RIPPLE))),
             calm: Quantity::share(three_digits(calm)),
         };
         fault.at_key("machine.inertia")
@@ -447,7 +449,7 @@ fn rounds(
             let state = assumed.state(problem, first, &motion, &at);
             (motion, state)
         }
-        Begin::Settled(_) => {
+        Begin::FixedPoint(_) => {
             let state = assumed.state(problem, first, before, &|x| law.svaj(x));
             (before.clone(), state)
         }

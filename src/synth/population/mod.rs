@@ -60,7 +60,7 @@ pub fn designed(problem: &Problem, search: &Search, walkers: &Walkers) -> Result
     let mut loads = 1.0;
     for round in 0.. {
         let limited = limits::for_all(&problem.of_mean(), walkers, loads);
-        let found = Found::at_best_phases(&limited, search, walkers)?;
+        let found = PopulationLaw::at_best_phases(&limited, search, walkers)?;
         let checked = limits::checked(problem, walkers, &found.attempt.law)?;
         if let Some(part) = limits::less_loaded(&checked.checks).filter(|_| round < LOAD_ROUNDS)
             && found.attempt.refusal.is_none()
@@ -113,7 +113,7 @@ fn refuse_unknown(problem: &Problem, walkers: &Walkers) -> Result<()> {
 }
 
 /// Law for the walkers, with the errors and bounds for its certificate.
-struct Found {
+struct PopulationLaw {
     attempt: Attempt,
     squares: Vec<f64>,
     upper: f64,
@@ -123,11 +123,15 @@ struct Found {
     phases: Vec<f64>,
 }
 
-impl Found {
+impl PopulationLaw {
     /// Law for the walkers. If the phases are adjustable, law and phases are optimised alternately.
-    fn at_best_phases(limited: &Problem, search: &Search, walkers: &Walkers) -> Result<Found> {
+    fn at_best_phases(
+        limited: &Problem,
+        search: &Search,
+        walkers: &Walkers,
+    ) -> Result<PopulationLaw> {
         let mut phases = vec![0.0; walkers.each.len()];
-        let mut found = Found::of_best_size(limited, search, walkers)?;
+        let mut found = PopulationLaw::of_best_size(limited, search, walkers)?;
         let limited = &found.held(limited);
         let is_free = walkers.adjust.phase && walkers.each.len() > 1;
         let turns = if is_free { PHASE_ROUNDS } else { 0 };
@@ -141,7 +145,7 @@ impl Found {
                 .iter()
                 .map(|w| phase::best(&force, w))
                 .collect();
-            let mut next = Found::of(limited, search, &walkers.at_phases(&phases))?;
+            let mut next = PopulationLaw::of(limited, search, &walkers.at_phases(&phases))?;
             next.rounds += found.rounds;
             next.phases.clone_from(&phases);
             let gain = found.upper - next.upper;
@@ -159,8 +163,12 @@ impl Found {
 
     /// Law for the walkers. An automatic number of spans or harmonics is first chosen for the mean curve. If the objective is not the mean
     /// error, the number is then increased while the objective decreases sufficiently.
-    fn of_best_size(limited: &Problem, search: &Search, walkers: &Walkers) -> Result<Found> {
-        let mut best = Found::of(limited, search, walkers)?;
+    fn of_best_size(
+        limited: &Problem,
+        search: &Search,
+        walkers: &Walkers,
+    ) -> Result<PopulationLaw> {
+        let mut best = PopulationLaw::of(limited, search, walkers)?;
         let is_open = limited.law.spans.is_none() && limited.law.harmonics.is_none();
         if !is_open || walkers.robust == Robust::Mean {
             return Ok(best);
@@ -173,7 +181,7 @@ impl Found {
             };
             *size = families::larger(*size);
             let is_telling = *size >= families::TELLING;
-            let next = Found::of(&limited.with_law(law.clone()), search, walkers)?;
+            let next = PopulationLaw::of(&limited.with_law(law.clone()), search, walkers)?;
             let gains = next.upper.sqrt() < (1.0 - families::WORTHWHILE) * best.upper.sqrt();
             if next.attempt.refusal.is_some() || is_telling && !gains {
                 break;
@@ -194,7 +202,7 @@ impl Found {
         }
     }
 
-    fn of(limited: &Problem, search: &Search, walkers: &Walkers) -> Result<Found> {
+    fn of(limited: &Problem, search: &Search, walkers: &Walkers) -> Result<PopulationLaw> {
         let shares: Vec<f64> = walkers.each.iter().map(|w| w.share).collect();
         let first = attempt(&weighed(limited, walkers, &shares), search)?;
         let nodes = Nodes::of(&first.law.law);
@@ -224,7 +232,7 @@ impl Found {
             laws.push(law);
         }
         let squares = |force: &[f64]| aims.iter().map(|aim| aim.square(force)).collect();
-        Ok(Found {
+        Ok(PopulationLaw {
             squares: squares(&weights.force(&weights.best)),
             upper: weights.upper,
             lower: weights.lower,

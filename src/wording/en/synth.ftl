@@ -65,7 +65,7 @@ design-polydyne = The cam is polydyne: at { $speed } the output end of a followe
 design-polydyne-miss = With its flexible follower this cam has a force error of { $own } RMS. A cam without the polydyne correction would have { $plain } RMS.
 
 # Faults in the input of a design.
-synth-shaft-diverges = the iteration of law and shaft speed does not converge: the speed ripple is { $ripple }
+synth-shaft-diverges = the iteration of law and shaft speed does not converge: the speed ripple is { $ripple } or more
     .help = set machine.inertia = "{ $inertia }" (ripple of about { $calm }), a steeper torque line of the motor, or law.shaft = "constant"
 synth-adjusts-given = { $key } is given, but gait.adjust sets it for each walker
     .help = omit { $key }, or remove it from gait.adjust

@@ -65,7 +65,7 @@ design-polydyne = La leva es polidina: a { $speed } el extremo de salida de un s
 design-polydyne-miss = Con su seguidor flexible, esta leva tiene un error de fuerza de { $own } RMS. Una leva sin la corrección polidina tendría { $plain } RMS.
 
 # Errores en los datos de un diseño.
-synth-shaft-diverges = la iteración de ley y velocidad del eje no converge: la oscilación de velocidad es del { $ripple }
+synth-shaft-diverges = la iteración de ley y velocidad del eje no converge: la oscilación de velocidad es del { $ripple } o más
     .help = fije machine.inertia = "{ $inertia }" (oscilación de cerca del { $calm }), una recta de par del motor más inclinada o law.shaft = "constant"
 synth-adjusts-given = se da { $key }, pero gait.adjust lo fija para cada caminante
     .help = omita { $key }, o quítelo de gait.adjust

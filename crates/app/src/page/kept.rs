@@ -50,7 +50,7 @@ pub trait Host {
 }
 
 /// Design with its inputs and their hashes.
-pub struct Made {
+pub struct CachedDesign {
     /// Table of the scene, as in its TOML text.
     pub table: Table,
     /// Table of the scene, in which the file name of every motion is replaced by the rows of the file.
@@ -72,7 +72,7 @@ pub struct Made {
 pub struct Engine {
     files: Mutex<Recent<Hash, Arc<Vec<u8>>>>,
     pub(crate) curves: Mutex<Recent<Hash, ForceCurve>>,
-    pub(crate) designs: Mutex<Recent<Hash, Arc<Made>>>,
+    pub(crate) designs: Mutex<Recent<Hash, Arc<CachedDesign>>>,
 }
 
 impl Default for Engine {

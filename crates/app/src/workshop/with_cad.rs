@@ -19,7 +19,7 @@ const VERTICES: usize = 720;
 const WALL: [usize; 2] = [720, 8];
 
 /// Content of a file with remarks on the file. The content is `None` if the file cannot be made.
-pub(crate) type Made = Result<(Option<Vec<u8>>, Vec<Remark>)>;
+pub(crate) type Exported = Result<(Option<Vec<u8>>, Vec<Remark>)>;
 
 /// Options of the files for CAD and manufacturing.
 #[derive(Debug, Clone, Copy, Default)]
@@ -79,11 +79,11 @@ impl Remark {
     }
 }
 
-fn made(bytes: impl Into<Vec<u8>>) -> Made {
+fn made(bytes: impl Into<Vec<u8>>) -> Exported {
     Ok((Some(bytes.into()), Vec::new()))
 }
 
-fn or_remark(made: Result<impl Into<Vec<u8>>>, remark: fn(Error) -> Remark) -> Made {
+fn or_remark(made: Result<impl Into<Vec<u8>>>, remark: fn(Error) -> Remark) -> Exported {
     Ok(match made {
         Ok(bytes) => (Some(bytes.into()), Vec::new()),
         Err(fault) => (None, vec![remark(fault)]),
@@ -115,7 +115,7 @@ impl Workshop {
         time: Timing,
         points: usize,
         language: Language,
-    ) -> Made {
+    ) -> Exported {
         let plate = || solid::Plate {
             thickness: design.problem.cam.thickness,
             bore: design.problem.cam.hole(),
@@ -146,7 +146,7 @@ impl Workshop {
         }
     }
 
-    fn sheet(&self, design: &Design, language: Language) -> Made {
+    fn sheet(&self, design: &Design, language: Language) -> Exported {
         let title = Title {
             units: self.units,
             ..self.title
@@ -158,7 +158,7 @@ impl Workshop {
         self.tool.unwrap_or_else(|| usual_cutter(design))
     }
 
-    fn path(&self, design: &Design, points: usize) -> Made {
+    fn path(&self, design: &Design, points: usize) -> Exported {
         let path = cutter::path(design, self.tool(design), points)?;
         let bytes = cutter::csv(&path).into_bytes();
         let gouges = path.gouges.into_iter().map(Remark::Gouge);
@@ -166,7 +166,7 @@ impl Workshop {
     }
 
     /// Program for milling the first cam (0) or the second cam (1).
-    fn program(&self, design: &Design, cam: usize) -> Made {
+    fn program(&self, design: &Design, cam: usize) -> Exported {
         let cut = gcode::Milling {
             tool: self.tool(design),
             pass: self.pass,
@@ -182,7 +182,7 @@ impl Workshop {
     }
 }
 
-fn groove(design: &Design, wall: Wall) -> Made {
+fn groove(design: &Design, wall: Wall) -> Exported {
     match &design.groove {
         Some(groove) => made(solid::binary_stl(&solid::wall(
             groove, wall, WALL[0], WALL[1],
@@ -205,7 +205,7 @@ pub fn ecam_json(cam: &ElectronicCam, file: &str) -> Value {
     })
 }
 
-fn electronic(design: &Design, dialect: Dialect) -> Made {
+fn electronic(design: &Design, dialect: Dialect) -> Exported {
     Ok(match ecam::make(design, dialect, None) {
         Ok(made) => {
             let text = made.text.clone().into_bytes();

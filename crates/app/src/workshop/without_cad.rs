@@ -8,7 +8,7 @@ use gaitcam_output::{Language, Timing};
 use super::piece::Piece;
 
 /// Content of a file with remarks on the file. The content is `None` if the file cannot be made.
-pub(crate) type Made = Result<(Option<Vec<u8>>, Vec<Remark>)>;
+pub(crate) type Exported = Result<(Option<Vec<u8>>, Vec<Remark>)>;
 
 /// Options of the files for manufacturing. Without the feature `cad` there are no options.
 #[derive(Debug, Clone, Copy, Default)]
@@ -34,7 +34,7 @@ impl Workshop {
         false
     }
 
-    pub(crate) fn make(&self, _: Piece, _: &Design, _: Timing, _: usize, _: Language) -> Made {
+    pub(crate) fn make(&self, _: Piece, _: &Design, _: Timing, _: usize, _: Language) -> Exported {
         Ok((None, Vec::new()))
     }
 }

@@ -22,7 +22,7 @@ pub struct Flag<'a> {
 }
 
 /// The scene of a cam, and the scene of the machine in which it runs.
-pub struct Made {
+pub struct CamInMachine {
     /// Scene from which the cam was designed.
     pub input: Input,
     /// The scene of the design with the drive and machine of this run.
@@ -31,7 +31,7 @@ pub struct Made {
     pub other_machine: bool,
 }
 
-impl Made {
+impl CamInMachine {
     /// Folder for files that are made from a design: the folder given by the user, otherwise the results folder of its scene.
     ///
     /// # Errors
@@ -50,7 +50,7 @@ impl Made {
     /// # Errors
     ///
     /// A change of a result concerns the cam and not the machine. Otherwise as for [`scene`].
-    pub fn read(args: &SceneArgs, flags: &[Flag]) -> Result<Made> {
+    pub fn read(args: &SceneArgs, flags: &[Flag]) -> Result<CamInMachine> {
         let result = args.scene.as_deref().and_then(summary_of);
         let on_machine: &[String] = if result.is_some() { &args.set } else { &[] };
         let input = match result {
@@ -83,7 +83,7 @@ impl Made {
         let running = Input::new(table, input.files.clone(), None).map_err(of_flag)?;
         let running = running.scene;
         let another = !on_machine.is_empty() || running.drive != input.scene.drive;
-        Ok(Made {
+        Ok(CamInMachine {
             other_machine: another && running != input.scene,
             running,
             input,

@@ -14,7 +14,7 @@ use crate::console::language;
 use crate::console::lengths::LengthArgs;
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
-use crate::input::made::Made;
+use crate::input::made::CamInMachine;
 use crate::input::{self, SceneArgs};
 use crate::synth::files_in;
 use gaitcam::cam::Inspection;
@@ -72,7 +72,7 @@ pub fn run(args: &InspectArgs) -> Result<u8> {
         scene: Some(args.design.clone()),
         set: args.set.clone(),
     };
-    let made = Made::read(&named, &[])?;
+    let made = CamInMachine::read(&named, &[])?;
     let place = folder(args, &made.input)?;
     if let Some(place) = &place {
         inputs::check_in(place, OF_INSPECTION)?;

@@ -15,7 +15,7 @@ use crate::console::language;
 use crate::console::lengths::LengthArgs;
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
-use crate::input::made::{Flag, Made};
+use crate::input::made::{CamInMachine, Flag};
 use crate::input::{self, SceneArgs};
 use crate::synth::{files_in, no_cam};
 use crate::walk::programme;
@@ -124,7 +124,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
         return speeds::run(args, speeds, model);
     }
     let start = Instant::now();
-    let made = Made::read(&args.scene, &args.machine())?;
+    let made = CamInMachine::read(&args.scene, &args.machine())?;
     if let Some(path) = &args.speed_programme {
         return programme::run(&made, path, &folder(args, &made)?, args.json);
     }
@@ -222,7 +222,7 @@ fn describe(design: &Design, remarks: impl Iterator<Item = String>, outcome: &Ou
 
 /// Folder for the files: the folder given by `--out`. Without this option, the files of an unchanged result folder are written into this
 /// folder. In all other cases, the folder is `out/NAME`, or `out/NAME_run` for a changed machine.
-fn folder(args: &SimulateArgs, made: &Made) -> Result<PathBuf> {
+fn folder(args: &SimulateArgs, made: &CamInMachine) -> Result<PathBuf> {
     match (&args.out, &args.scene.scene) {
         (None, Some(result)) if result.is_dir() && !made.other_machine => Ok(result.clone()),
         (out, _) => {
@@ -234,7 +234,7 @@ fn folder(args: &SimulateArgs, made: &Made) -> Result<PathBuf> {
 
 /// Remark that the cam of the result runs in a changed machine, or that the cam was designed again for another speed. `None` in other
 /// cases.
-fn remark(args: &SimulateArgs, made: &Made, design: &Design) -> Option<String> {
+fn remark(args: &SimulateArgs, made: &CamInMachine, design: &Design) -> Option<String> {
     if made.other_machine {
         let rpm = words::number(design.problem.drive.speed * 30.0 / PI);
         return Some(words::fill("simulate-as-made", &json!({"rpm": rpm})));

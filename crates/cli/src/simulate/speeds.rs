@@ -15,7 +15,7 @@ use crate::console::table::{
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
 use crate::console::{exit_code, exit_code::NO_SUCH_CAM};
-use crate::input::made::Made;
+use crate::input::made::CamInMachine;
 use crate::input::{self, at_flag};
 use crate::synth::{files_in, no_cam};
 use gaitcam::cam::Measures;
@@ -43,7 +43,7 @@ struct Row {
 /// Simulates the cam at each of `speeds`, which has the form FIRST:LAST:COUNT.
 pub fn run(args: &SimulateArgs, speeds: &str, model: Model) -> Result<u8> {
     let start = Instant::now();
-    let made = Made::read(&args.scene, &args.machine())?;
+    let made = CamInMachine::read(&args.scene, &args.machine())?;
     let speeds = read(speeds, made.running.cam.is_straight())?;
     let place = input::result_folder(&made.input, args.out.as_deref(), "_speeds")?;
     let folder = ResultFolder::open(&place, PATIENCE)?;
@@ -114,7 +114,7 @@ fn read(text: &str, straight: bool) -> Result<Vec<f64>> {
 
 /// Simulates the cam at one speed. If a load model is given, the force is compared with its target at this speed.
 fn at(
-    made: &Made,
+    made: &CamInMachine,
     design: &Design,
     speed: f64,
     model: Model,

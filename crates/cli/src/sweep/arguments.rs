@@ -20,7 +20,7 @@ use gaitcam_app::{Disk, SweepQuestion, Varied, completed, inputs};
 const MANY: u64 = 100_000_000;
 
 /// Definition of a sweep, and the input files of its scenes.
-pub struct Asked {
+pub struct SweepRequest {
     /// Scenes of the sweep, and varied keys with their values.
     pub question: SweepQuestion,
     /// Input files of each base scene.
@@ -28,7 +28,7 @@ pub struct Asked {
 }
 
 /// Reads the scenes, the list and the names of the recordings, and returns the definition of the sweep.
-pub fn question(args: &SweepArgs) -> Result<Asked> {
+pub fn question(args: &SweepArgs) -> Result<SweepRequest> {
     let named: Vec<Option<&PathBuf>> = match &args.scenes[..] {
         [] => vec![None],
         scenes => scenes.iter().map(Some).collect(),
@@ -75,12 +75,12 @@ pub fn question(args: &SweepArgs) -> Result<Asked> {
         seed: args.seed,
         tolerances: args.tolerance.clone(),
     };
-    Ok(Asked { question, files })
+    Ok(SweepRequest { question, files })
 }
 
 /// Builds the sweep from the arguments. Also returns the input files of each base scene.
 pub fn sweep(args: &SweepArgs) -> Result<(Sweep, Vec<Disk>)> {
-    let Asked { question, files } = question(args)?;
+    let SweepRequest { question, files } = question(args)?;
     let varies = [&question.vary, &question.list]
         .iter()
         .any(|v| !v.is_empty());

@@ -12,7 +12,7 @@ use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words::{self, fixed, number};
-use crate::input::made::Made;
+use crate::input::made::CamInMachine;
 use crate::input::{self, SceneArgs};
 use gaitcam::LimitKind;
 use gaitcam::drive::DriveKind;
@@ -81,7 +81,7 @@ pub struct WalkArgs {
 pub fn run(args: &WalkArgs) -> Result<u8> {
     let most = args.max_acceleration.as_deref();
     let acceleration = input::positive("--max-acceleration", most, Dimension::AngularAcceleration)?;
-    let made = Made::read(&SceneArgs::of(args.design.clone()), &[])?;
+    let made = CamInMachine::read(&SceneArgs::of(args.design.clone()), &[])?;
     let design = made.design()?.0.built()?;
     if let Some(why) = design.no_cam(language::current()) {
         report(words::fill("walk-no-cam", &json!({"why": why})));

@@ -10,7 +10,7 @@ use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words::{self, number};
-use crate::input::made::Made;
+use crate::input::made::CamInMachine;
 use crate::synth::files_in;
 use gaitcam::LimitKind;
 use gaitcam::drive::Drive;
@@ -30,7 +30,7 @@ struct Rows {
 
 /// Simulates a cam with the speed programme in the file `path` and writes `programme.csv`. The exit code is 3 if contact is lost or a
 /// limit is violated.
-pub fn run(made: &Made, path: &Path, folder: &Path, as_json: bool) -> Result<u8> {
+pub fn run(made: &CamInMachine, path: &Path, folder: &Path, as_json: bool) -> Result<u8> {
     inputs::note(path);
     let rows = read(path)?;
     let folder = ResultFolder::open(folder, PATIENCE)?;

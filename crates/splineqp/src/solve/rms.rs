@@ -32,7 +32,7 @@ use crate::solve::exchange;
 const SMALL: f64 = 1e-2;
 
 /// Iterate of the search: optimum for a weight or for a peak.
-struct Tried<N: Names> {
+struct Trial<N: Names> {
     /// Logarithm of the weight μ or of the peak p.
     number: f64,
     /// The weight μ; 0 if no limit with the peak is active.
@@ -144,7 +144,7 @@ impl<'a, N: Names> Search<'a, N> {
 
     /// First iterate. In the search for a peak, it is the law with the minimum root mean square. In the search for a weight, it is the
     /// optimum with equal weights of objective and root mean square.
-    fn of_the_nearest(&mut self) -> Result<Tried<N>, Failure<N>> {
+    fn of_the_nearest(&mut self) -> Result<Trial<N>, Failure<N>> {
         let mut near = self.nearest()?;
         let program = self.program;
         match self.way {
@@ -202,8 +202,8 @@ impl<'a, N: Names> Search<'a, N> {
         libm::log(least.extra[PEAK].max(f64::MIN_POSITIVE)) + self.program.settings.rms.pinch
     }
 
-    fn tried(&self, number: f64, weight: f64, solution: Solution<N>) -> Tried<N> {
-        Tried {
+    fn tried(&self, number: f64, weight: f64, solution: Solution<N>) -> Trial<N> {
+        Trial {
             number,
             weight,
             // An error of zero is treated as a very small one, because its logarithm is infinite.
@@ -212,7 +212,7 @@ impl<'a, N: Names> Search<'a, N> {
         }
     }
 
-    fn at(&mut self, number: f64) -> Result<Tried<N>, Failure<N>> {
+    fn at(&mut self, number: f64) -> Result<Trial<N>, Failure<N>> {
         if self.program.halt.is_asked() {
             return Err(Stop::OutOfTime.into());
         }
@@ -274,7 +274,7 @@ impl<'a, N: Names> Search<'a, N> {
     }
 
     /// Two optima, one on each side of the limit; `None` if the search finds none.
-    fn bracket(&mut self, mut here: Tried<N>) -> Result<Option<[Tried<N>; 2]>, Failure<N>> {
+    fn bracket(&mut self, mut here: Trial<N>) -> Result<Option<[Trial<N>; 2]>, Failure<N>> {
         let settings = self.program.settings.rms;
         let holds = here.excess <= 0.0;
         let (mut step, growth) = match self.way {
@@ -313,8 +313,8 @@ impl<'a, N: Names> Search<'a, N> {
     /// Law for which the limit is active, by false position (Illinois) on the logarithms.
     fn between(
         &mut self,
-        mut inside: Tried<N>,
-        mut outside: Tried<N>,
+        mut inside: Trial<N>,
+        mut outside: Trial<N>,
     ) -> Result<Solution<N>, Failure<N>> {
         let (mut low, mut high) = (outside.excess, inside.excess);
         let (mut was_inside, mut was_stopped) = (None, false);
@@ -349,7 +349,7 @@ impl<'a, N: Names> Search<'a, N> {
 
     /// Whether interpolation between two optima is sufficiently accurate. The product Δμ Δq is an upper bound of the duality gap and must
     /// be within the tolerance.
-    fn is_one(&self, inside: &Tried<N>, outside: &Tried<N>) -> bool {
+    fn is_one(&self, inside: &Trial<N>, outside: &Trial<N>) -> bool {
         let weights = (inside.weight - outside.weight).abs();
         let squares = self.limit.most.powi(2) * (outside.excess - inside.excess);
         let size = self.program.merit(&inside.solution).abs();
@@ -360,7 +360,7 @@ impl<'a, N: Names> Search<'a, N> {
 
     /// Interpolates between two optima so that the limit is active. The result has the active rows of both optima and the tangent of the
     /// limit.
-    fn met(&self, inside: Tried<N>, outside: &Tried<N>) -> Solution<N> {
+    fn met(&self, inside: Trial<N>, outside: &Trial<N>) -> Solution<N> {
         let (limit, other) = (self.limit, &outside.solution);
         let mut out = inside.solution;
         let pairs = other.x.iter().zip(&out.x);

@@ -13,7 +13,7 @@ use crate::page::curves::{Colour, Curves, curves};
 use crate::page::edit::{Edit, apply};
 use crate::page::form::{Field, fields};
 use crate::page::hash::Hash;
-use crate::page::kept::Made;
+use crate::page::kept::CachedDesign;
 use crate::page::sources::Files;
 use crate::page::{lock, plain, remedies, table, words};
 use gaitcam::Problem;
@@ -165,7 +165,7 @@ pub fn read(files: &Files, ask: &Ask) -> Result<Value> {
 /// # Errors
 ///
 /// The scene or its force is invalid.
-pub fn made(files: &Files, table: Table) -> Result<Arc<Made>> {
+pub fn made(files: &Files, table: Table) -> Result<Arc<CachedDesign>> {
     let input = Input::read(files, table)?;
     let known = lock(&files.engine.designs).get(&input.hash);
     if let Some(known) = known {
@@ -217,7 +217,7 @@ impl Input {
     /// # Errors
     ///
     /// The scene cannot be designed.
-    pub fn design(self, files: &Files, halt: &Halt) -> Result<Made> {
+    pub fn design(self, files: &Files, halt: &Halt) -> Result<CachedDesign> {
         let solving = files.host.seconds();
         let search = Search::until(halt.clone());
         let design = synth::answer(&self.scene, self.target.as_ref(), &search)?.built()?;
@@ -226,7 +226,7 @@ impl Input {
             solve_s: end - solving,
             total_s: end - self.start,
         };
-        Ok(Made {
+        Ok(CachedDesign {
             table: self.table,
             whole: self.whole,
             scene: self.scene,
@@ -242,7 +242,7 @@ impl Input {
 /// are ignored.
 ///
 /// `None` if the law does not exist without limits either. In this case, only the full design contains the reason.
-fn soon(files: &Files, table: &Table, size: [f64; 2]) -> Result<Option<Made>> {
+fn soon(files: &Files, table: &Table, size: [f64; 2]) -> Result<Option<CachedDesign>> {
     let start = files.host.seconds();
     let (scene, whole) = files.scene(table)?;
     let (target, force) = files.target(&scene)?.unzip();
@@ -268,7 +268,7 @@ fn soon(files: &Files, table: &Table, size: [f64; 2]) -> Result<Option<Made>> {
         return Ok(None);
     };
     let total_s = files.host.seconds() - start;
-    Ok(Some(Made {
+    Ok(Some(CachedDesign {
         table: table.clone(),
         whole,
         scene,
@@ -290,7 +290,7 @@ fn of_size(scene: &Scene, factor: f64, [prime, offset]: [f64; 2]) -> Scene {
     sized
 }
 
-fn answer(kept: &Made, colour: Colour, language: Language) -> Answer {
+fn answer(kept: &CachedDesign, colour: Colour, language: Language) -> Answer {
     let (design, scene) = (&kept.design, &kept.scene);
     let name = |typed: &str| parts::name(typed, language);
     let conflict = design.infeasible.as_ref().map_or(&[][..], |i| &i.conflict);
@@ -370,7 +370,7 @@ fn exports(design: &Design) -> Vec<(&'static str, Vec<&'static str>)> {
 }
 
 /// Key figures of a design (single numbers, such as the force error) by column name. Missing values are null.
-fn numbers(kept: &Made) -> Value {
+fn numbers(kept: &CachedDesign) -> Value {
     let row = gaitcam::sweep::Row::of(&kept.design);
     let pairs = FIGURES.iter().zip(row.numbers);
     pairs

@@ -5,7 +5,7 @@ use serde::Deserialize;
 use crate::files::{self, Source};
 use crate::page::answer::{Answer, Body};
 use crate::page::fault::StudioError;
-use crate::page::kept::Made;
+use crate::page::kept::CachedDesign;
 use crate::page::questions::design::made;
 use crate::page::sources::Files;
 use crate::page::{table, words};
@@ -59,7 +59,7 @@ fn kind(name: &str) -> &'static str {
 }
 
 /// Content of a file of the design. `tool` is the radius of the cutter as typed by the user.
-fn bytes(kept: &Made, name: &str, tool: Option<&str>) -> Result<Vec<u8>> {
+fn bytes(kept: &CachedDesign, name: &str, tool: Option<&str>) -> Result<Vec<u8>> {
     match name {
         "scene.toml" => {
             return Ok(toml::to_string(&kept.whole)
@@ -90,7 +90,7 @@ fn bytes(kept: &Made, name: &str, tool: Option<&str>) -> Result<Vec<u8>> {
 
 /// Options of the files for manufacturing.
 #[cfg(feature = "cad")]
-fn workshop(kept: &Made, tool: Option<&str>) -> Result<Workshop> {
+fn workshop(kept: &CachedDesign, tool: Option<&str>) -> Result<Workshop> {
     Ok(Workshop {
         tool: tool.map(radius).transpose()?,
         title: title(&kept.scene, &kept.whole),
@@ -100,7 +100,7 @@ fn workshop(kept: &Made, tool: Option<&str>) -> Result<Workshop> {
 
 /// Options of the files for manufacturing. The module without CAD does not make these files, so only the radius of the cutter is checked.
 #[cfg(not(feature = "cad"))]
-fn workshop(_: &Made, tool: Option<&str>) -> Result<Workshop> {
+fn workshop(_: &CachedDesign, tool: Option<&str>) -> Result<Workshop> {
     tool.map(radius).transpose()?;
     Ok(Workshop::default())
 }

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use crate::page::fault::StudioError;
 use crate::page::hash::Hash;
-use crate::page::kept::Made;
+use crate::page::kept::CachedDesign;
 use crate::page::questions::design::{Which, made};
 use crate::page::sources::Files;
 use crate::page::{table, words};
@@ -110,7 +110,7 @@ pub fn identify(files: &Files, asked: &Logged) -> Result<Value> {
 }
 
 /// Scene of the next cam, with the measured force error before the correction and the predicted force error after it, N.
-fn next(files: &Files, made: &Made, logs: &[Log]) -> Result<Value> {
+fn next(files: &Files, made: &CachedDesign, logs: &[Log]) -> Result<Value> {
     let force = files.target(&made.scene)?.map(|(force, _)| force);
     let search = Search::until(files.host.halt());
     let (scene, figures, _) =

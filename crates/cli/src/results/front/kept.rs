@@ -85,7 +85,7 @@ impl Input {
 /// Sample of the rows of a table. It contains every k-th candidate, where k increases with the number of candidates. A candidate is a row
 /// whose design may be on the front.
 #[derive(Debug, Clone, Default)]
-pub struct Kept {
+pub struct FrontSample {
     /// Number of rows read so far.
     pub seen: u64,
     /// Number of candidates, in the sample or not.
@@ -99,7 +99,7 @@ pub struct Kept {
     stride: u64,
 }
 
-impl Kept {
+impl FrontSample {
     /// Counts the next row of the table. `good` is true if the row is a candidate. Every k-th candidate is added to the sample.
     pub fn take(&mut self, columns: &Columns, objectives: &[Objective], row: &Row, good: bool) {
         if self.seen == 0 {

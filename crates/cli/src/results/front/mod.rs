@@ -23,7 +23,7 @@ use gaitcam::error::{Placed, Result};
 use gaitcam::sweep::{Admission, Front, Objective};
 use gaitcam_app::blocks;
 use gaitcam_app::folder::Folder;
-use kept::Kept;
+use kept::FrontSample;
 use read::Columns;
 use shown::{csv, object, text};
 
@@ -71,7 +71,7 @@ const SHOWN_GAPS: usize = 6;
 struct Evaluation {
     columns: Columns,
     objectives: Vec<Objective>,
-    kept: Kept,
+    kept: FrontSample,
     /// Number of designs omitted because they are not suitable for high speed.
     left_out: u64,
     /// Rows that are missing in the folder of blocks.
@@ -152,7 +152,7 @@ fn report_left_out(evaluated: &Evaluation) {
 fn gather(args: &FrontArgs) -> Result<Evaluation> {
     let mut front = Front::default();
     let mut objectives: Vec<Objective> = Vec::new();
-    let mut kept = Kept::default();
+    let mut kept = FrontSample::default();
     let mut left_out = 0;
     let admission = Admission {
         low_speed: args.low_speed,

@@ -44,7 +44,7 @@ pub struct Plane<'p> {
 }
 
 /// Error if the method ends before all planes are satisfied.
-pub struct Stuck {
+pub struct DualFailure {
     /// Excess over a plane that depends on the active planes; infinite if the maximum number of steps was reached.
     pub excess: f64,
 }
@@ -153,8 +153,8 @@ impl<'a> Dual<'a> {
         resolved: f64,
         most_active: usize,
         halt: &Halt,
-    ) -> Result<(), Stuck> {
-        let stuck = Stuck {
+    ) -> Result<(), DualFailure> {
+        let stuck = DualFailure {
             excess: f64::INFINITY,
         };
         loop {
@@ -194,7 +194,12 @@ impl<'a> Dual<'a> {
     }
 
     /// Adds a violated inequality to the active planes. Inequalities whose multiplier decreases to zero become inactive.
-    pub fn bring_in(&mut self, row: usize, entries: &Entries, bound: f64) -> Result<(), Stuck> {
+    pub fn bring_in(
+        &mut self,
+        row: usize,
+        entries: &Entries,
+        bound: f64,
+    ) -> Result<(), DualFailure> {
         let z = self.whitened(entries);
         let length = square(&z);
         let mut multiplier = 0.0;
@@ -202,7 +207,7 @@ impl<'a> Dual<'a> {
         loop {
             self.steps += 1;
             if self.steps > self.most_steps {
-                return Err(Stuck {
+                return Err(DualFailure {
                     excess: f64::INFINITY,
                 });
             }
@@ -214,7 +219,7 @@ impl<'a> Dual<'a> {
                 (Some(full), Some((j, most))) if most < full => (most, Some(j)),
                 (Some(full), _) => (full, None),
                 (None, Some((j, most))) => (most, Some(j)),
-                (None, None) => return Err(Stuck { excess }),
+                (None, None) => return Err(DualFailure { excess }),
             };
             for (member, shift) in self.members.iter_mut().zip(&shift) {
                 member.multiplier -= step * shift;
@@ -304,7 +309,7 @@ mod tests {
     }
 
     /// Minimises ½(x² + 4y²) − 2x − 4y, whose minimum is at (2, 1), subject to planes.
-    fn solved(rows: &[([f64; 2], f64)]) -> Result<([f64; 2], Vec<f64>), Stuck> {
+    fn solved(rows: &[([f64; 2], f64)]) -> Result<([f64; 2], Vec<f64>), DualFailure> {
         let entries: Vec<Entries> = rows
             .iter()
             .map(|r| vec![(0, r.0[0]), (1, r.0[1])])

@@ -15,7 +15,7 @@ use crate::program::{Failure, Program, Row, Solution, Stop, Values};
 use crate::settings::ActiveSetSettings;
 use crate::solve::refine;
 use crate::solve::row_solver::{Point, RowSolver};
-use dual::{Dual, Plane, Stuck};
+use dual::{Dual, DualFailure, Plane};
 
 /// Solves a program for the coefficients alone, starting from its optimum without limits.
 ///
@@ -146,7 +146,7 @@ impl<'a> ActiveSet<'a> {
         program: &Program<N>,
         rows: &[Row<N>],
         margin: f64,
-    ) -> Result<(), Stuck> {
+    ) -> Result<(), DualFailure> {
         let planes: Vec<Plane> = (rows.iter())
             .map(|row| {
                 let size = row.limit.map_or(row.scale, |i| program.limits[i].scale);
