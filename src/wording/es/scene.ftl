@@ -1,5 +1,5 @@
 # Errores en una escena (src/scene/error.rs) y claves sin efecto (src/scene/notes.rs).
-scene-not-toml = error de sintaxis TOML en la línea { $line }: { $fault }
+scene-not-toml = error de sintaxis TOML en la línea { $line } (mensaje en inglés: { $fault })
 scene-output-name = «{ $typed }» no es un nombre válido de carpeta de salida
     .help = use letras, cifras, - y _
 scene-no-such-key = clave desconocida
