@@ -28,7 +28,7 @@ sweep-fixed = "{ $key }" no se puede variar
 sweep-key-twice = "{ $key }" aparece dos veces
 sweep-nothing-to-sample = no varía ninguna clave, así que no hay nada que muestrear
     .help = varíe una clave en un intervalo: CLAVE=INICIO:FIN
-sweep-sobol-axes = las sucesiones de Sobol están disponibles hasta { $most } claves
+sweep-sobol-axes = las secuencias de Sobol están disponibles hasta { $most } claves
     .help = use el hipercubo latino (latin)
 sweep-no-scene = la escena base { $scene } no existe
 sweep-no-tolerance-value = «{ $typed }» no tiene la forma PARTE=VALOR

@@ -379,7 +379,7 @@ explain-forecast = la inercia y la energía alterna dan una oscilación estimada
 # keys.
 keys-default = por defecto { $text }
 
-init-shaker = Una masa sobre la leva que excita una pasarela como un peatón: F = M (g + d²s/dt²).
+init-shaker = Una masa sobre la leva que excita una pasarela como un caminante: F = M (g + d²s/dt²).
 init-walk = Una leva para su propio registro de marcha, reproducido por una masa sobre la leva.
 init-heel-tester = Una ensayadora de tacones: la elevación comprime aceite o aire en un cilindro, y la fuerza crece con la elevación. Para un registro propio, escriba file = "walk.csv" en lugar de model, step_frequency y body_weight.
 init-spring-bench = Un banco de ensayo con muelle para pies protésicos, calzado o articulaciones: F = F₀ + k s + m d²s/dt².
