@@ -68,9 +68,9 @@ scene-value-not-table = { $part } es un valor, no una tabla
     .help = quite lo que sigue a { $part }
 scene-file-and-model = solo se puede dar uno de file, model y harmonics
     .help = conserve uno: file = "walk.mot", model = "young" o harmonics = ["0.4", "0.1 at -90 deg"]
-scene-not-harmonic = "{ $typed }" no es un factor de carga con su fase
+scene-not-harmonic = «{ $typed }» no es un factor de carga con su fase
     .help = escriba un texto por armónico con su amplitud (fracción del peso, cero o mayor) y la fase de su seno: ["0.4", "0.1 at -90 deg"]
-scene-not-learned-force = "{ $typed }" no es una fuerza con su fase
+scene-not-learned-force = «{ $typed }» no es una fuerza con su fase
     .help = escriba un texto para la fuerza media y uno para cada armónico con su amplitud y la fase de su seno: ["0 N", "3.2 N at -90 deg"]
 scene-learned-forces = la fuerza aprendida tiene { $given } armónicos, que son demasiados
     .help = dé la media y los primeros armónicos, como máximo { $most } textos
