@@ -21,6 +21,7 @@ mod guard;
 mod http;
 mod routes;
 
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
@@ -31,6 +32,7 @@ use gaitcam::scene;
 use gaitcam::wording::Language;
 use gaitcam_app::page::fault::StudioError;
 use gaitcam_app::page::{Engine, Start, set_language, table};
+use gaitcam_app::read::cannot_be_read;
 use guard::{Guard, Place};
 use http::Server;
 
@@ -125,6 +127,8 @@ fn opened(path: Option<&Path>) -> Result<(Folder, Start)> {
     {
         return with(here()?, built_in.toml);
     }
+    // The corresponding error of a folder tells the user to drop the file on the page, which is not open yet.
+    fs::metadata(path).map_err(|e| cannot_be_read(path, &e))?;
     let parent = path.parent().filter(|p| !p.as_os_str().is_empty());
     let folder = Folder::open(parent.unwrap_or(Path::new(".")))?;
     let name = path.file_name().map(PathBuf::from).unwrap_or_default();

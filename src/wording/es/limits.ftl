@@ -50,7 +50,7 @@ label-limits-diameter = Diámetro
 
 key-limits-face_width = Longitud máxima de la cara plana.
 name-face-width = longitud de la cara
-label-limits-face_width = Ancho de la cara
+label-limits-face_width = Longitud de la cara
 
 key-limits-torque = Par máximo en el eje, sin rozamiento.
 name-torque = par

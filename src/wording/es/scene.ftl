@@ -1,5 +1,5 @@
 # Errores en una escena (src/scene/error.rs) y claves sin efecto (src/scene/notes.rs).
-scene-not-toml = error de sintaxis TOML en la línea { $line }: { $fault }
+scene-not-toml = error de sintaxis TOML en la línea { $line } (mensaje en inglés: { $fault })
 scene-output-name = «{ $typed }» no es un nombre válido de carpeta de salida
     .help = use letras, cifras, - y _
 scene-no-such-key = clave desconocida
@@ -68,9 +68,9 @@ scene-value-not-table = { $part } es un valor, no una tabla
     .help = quite lo que sigue a { $part }
 scene-file-and-model = solo se puede dar uno de file, model y harmonics
     .help = conserve uno: file = "walk.mot", model = "young" o harmonics = ["0.4", "0.1 at -90 deg"]
-scene-not-harmonic = "{ $typed }" no es un factor de carga con su fase
+scene-not-harmonic = «{ $typed }» no es un factor de carga con su fase
     .help = escriba un texto por armónico con su amplitud (fracción del peso, cero o mayor) y la fase de su seno: ["0.4", "0.1 at -90 deg"]
-scene-not-learned-force = "{ $typed }" no es una fuerza con su fase
+scene-not-learned-force = «{ $typed }» no es una fuerza con su fase
     .help = escriba un texto para la fuerza media y uno para cada armónico con su amplitud y la fase de su seno: ["0 N", "3.2 N at -90 deg"]
 scene-learned-forces = la fuerza aprendida tiene { $given } armónicos, que son demasiados
     .help = dé la media y los primeros armónicos, como máximo { $most } textos
@@ -157,9 +157,9 @@ scene-floor-lacks = un suelo que se mueve requiere masa modal, frecuencia y raz�
     .help = escriba por ejemplo "{ $example }" en [machine.floor]
 scene-floor-twice = el suelo se da como un modo y como una lista de modos
     .help = pase los números de [machine.floor] a un [[machine.floor.mode]]
-scene-walker-phases = se requiere un ángulo para cada uno de los { $count } peatones de machine.walkers.count
+scene-walker-phases = se requiere un ángulo para cada uno de los { $count } caminantes de machine.walkers.count
     .help = escriba { $count } ángulos, primero el excitador, como ["0 deg", "90 deg"] para 2; u omita la clave para sortear las fases
-scene-walker-weights = se requiere un peso positivo para cada uno de los { $count } peatones de machine.walkers.count
+scene-walker-weights = se requiere un peso positivo para cada uno de los { $count } caminantes de machine.walkers.count
     .help = escriba { $count } pesos, primero el excitador, como ["700 N", "850 N"] para 2; u omita la clave para pesos iguales
 scene-floor-alone = esta clave no está disponible con un suelo que se mueve
     .help = omita esta clave, u omita [machine.floor]

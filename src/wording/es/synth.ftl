@@ -7,7 +7,7 @@ reason-recording-clock = La escala de tiempo del registro no está clara: { $bec
 reason-recording-mass = La masa de la persona y la escala de las fuerzas no están claras: { $because }. Indique { $keys }, o gait.accept = "mass" si masa y escala son correctas.
 reason-recording-clipped = El registro está recortado: { $because }. Sus picos y la masa son demasiado bajos, y gait.accept no permite un registro recortado. Registre de nuevo con un rango mayor, o excluya la columna ({ $keys }).
 reason-lift-jumps = La elevación es discontinua en { $at }; ningún seguidor puede seguirla. Prescriba la misma elevación a ambos lados.
-reason-velocity-jumps = La velocidad es discontinua en { $at }, lo que causa aceleración infinita y un choque del seguidor. Prescriba la misma velocidad a ambos lados (law.point.N.velocity).
+reason-velocity-jumps = La velocidad es discontinua en { $at }, lo que causa aceleración infinita y un impacto del seguidor. Prescriba la misma velocidad a ambos lados (law.point.N.velocity).
 reason-acceleration-jumps = La aceleración es discontinua en { $at }, lo que causa sobreaceleración infinita y vibración a alta velocidad.
 reason-lifts-off = La fuerza de contacto mínima es −{ $pull } en { $at }, así que el seguidor pierde el contacto por encima de { $speed }. Fije limits.force_min = "0 N" para mantener el contacto.
 reason-lifts-off-as-prescribed = La fuerza de contacto mínima es −{ $pull } en { $at }, así que el seguidor pierde el contacto por encima de { $speed }. Haga girar la leva más despacio o prescriba una deceleración menor en ese punto.

@@ -1,7 +1,7 @@
 # Errores de la orden: archivos, opciones, carpetas.
 cli-negative-ball = el radio de una bola palpadora debe ser 0 o más, no { $typed }
 cli-cannot-open = no se puede abrir ({ $fault })
-cli-scene-name = "{ $shown }" { $fault ->
+cli-scene-name = «{ $shown }» { $fault ->
         [blank] está en blanco
         [dash] empieza por un guion
         [control] contiene un carácter de control o una marca invisible
@@ -18,7 +18,7 @@ cli-cycle-ending = { $file } no es ni un archivo .csv o .mot ni una carpeta
     .help = el ciclo se escribe como .csv o .mot, con figuras .svg y .png en la misma carpeta
 cli-table-changed = la tabla se modificó después de terminar el barrido
     .help = muévala para calcularla de nuevo
-cli-cams = "{ $typed }" no es un número de levas
+cli-cams = «{ $typed }» no es un número de levas
     .help = escriba un número, o el primero y el último, como 3 o 1:6; el máximo es { $most }
 cli-among-recordings = los resultados se escribirían entre los registros de { $folder }
     .help = dé otra carpeta
@@ -28,10 +28,10 @@ cli-recording-not-scene = esta opción cambia una escena, pero el archivo es un 
     .help = use las opciones de gaitcam gait
 cli-scene-not-recording = el archivo es una escena, no un registro
     .help = use gaitcam synth o gaitcam doctor para la escena, o indique el registro de su clave gait.file
-cli-no-key-contains = ninguna clave contiene "{ $pattern }"
+cli-no-key-contains = ninguna clave contiene «{ $pattern }»
 cli-input-time = la entrada no se leyó en { $limit } s
     .help = termine la entrada, o fije un --time-limit mayor
-cli-no-model = "{ $typed }" no es un modelo
+cli-no-model = «{ $typed }» no es un modelo
     .help = escriba auto, rigid, flexible o contact
 cli-no-walk = el diseño no tiene un registro con ocho o más zancadas consecutivas
     .help = indique el registro de una marcha: gaitcam walk RESULTADO REGISTRO
@@ -57,14 +57,14 @@ cli-field-not-number = un campo no es un número
     .help = escriba la tabla de nuevo con gaitcam synth
 cli-empty-table = la tabla no tiene filas
 cli-no-blocks = esta carpeta no contiene bloques de un barrido; indique la tabla de gaitcam sweep, o la carpeta de sus bloques (gaitcam sweep --shard)
-cli-not-sweep-table = el archivo no es la tabla de un barrido, porque no tiene la columna "{ $column }"
+cli-not-sweep-table = el archivo no es la tabla de un barrido, porque no tiene la columna «{ $column }»
     .help = indique el archivo de resultados de gaitcam sweep
-cli-no-parquet = este gaitcam se compiló sin Parquet (la opción "parquet")
+cli-no-parquet = este gaitcam se compiló sin Parquet (la opción «parquet»)
     .help = use una tabla .csv, o compile gaitcam con --features parquet
 cli-table-ending = { $file } no es ni .csv ni .parquet
     .help = use una de estas extensiones
 cli-no-base-scene = el archivo no contiene la escena base de esta fila
-cli-row-not-number = fila { $row }: "{ $cell }" no es un número
+cli-row-not-number = fila { $row }: «{ $cell }» no es un número
 cli-nothing-varies = la rejilla está vacía: no se varía ninguna clave
     .help = escriba --vary 'limits.stroke=20 mm:60 mm:5', --list ARCHIVO.csv o --recordings CARPETA
 cli-list-value = { $fault }
@@ -100,18 +100,18 @@ cli-unknown-flag = opción desconocida
     }
 cli-one-too-many = sobra un argumento
     .help = ponga entre comillas los valores que contienen espacios: --set 'limits.stroke=40 mm'
-cli-unknown-verb = "{ $typed }" no es una orden
+cli-unknown-verb = «{ $typed }» no es una orden
     .help = { $near ->
         [none] gaitcam --help enumera las órdenes; escriba la escena después de la orden: gaitcam synth ESCENA.toml
        *[other] ¿quería decir { $near }?
     }
-cli-in-lab = "{ $typed }" está ahora en el laboratorio del repositorio: cargo run --release -p gaitcam-lab -- { $typed }
+cli-in-lab = «{ $typed }» está ahora en el laboratorio del repositorio: cargo run --release -p gaitcam-lab -- { $typed }
 cli-flag-without-value = falta un valor
-cli-flag-choice = "{ $typed }" no es una opción válida
+cli-flag-choice = «{ $typed }» no es una opción válida
     .help = escriba una de: { $choices }
-cli-flag-value = valor no válido "{ $typed }"
+cli-flag-value = valor no válido «{ $typed }»
     .help = { $fault }
-cli-flag-whole = valor no válido "{ $typed }"
+cli-flag-whole = valor no válido «{ $typed }»
     .help = escriba un número entero
 cli-flag-range = valor no válido { $typed }
     .help = debe estar en { $range }
@@ -379,13 +379,13 @@ explain-forecast = la inercia y la energía alterna dan una oscilación estimada
 # keys.
 keys-default = por defecto { $text }
 
-init-shaker = Una masa sobre la leva que excita una pasarela como un peatón: F = M (g + d²s/dt²).
+init-shaker = Una masa sobre la leva que excita una pasarela como un caminante: F = M (g + d²s/dt²).
 init-walk = Una leva para su propio registro de marcha, reproducido por una masa sobre la leva.
 init-heel-tester = Una ensayadora de tacones: la elevación comprime aceite o aire en un cilindro, y la fuerza crece con la elevación. Para un registro propio, escriba file = "walk.csv" en lugar de model, step_frequency y body_weight.
 init-spring-bench = Un banco de ensayo con muelle para pies protésicos, calzado o articulaciones: F = F₀ + k s + m d²s/dt².
 init-programme = Una leva clásica de un programa de subidas, bajadas y detenimientos, sin fuerza objetivo.
 init-written = se ha escrito { $file }
-init-how = Diseñe la leva con gaitcam synth { $file }. Muestre todas las claves con gaitcam keys. Las líneas que empiezan por "# clave =" son opciones inactivas.
+init-how = Diseñe la leva con gaitcam synth { $file }. Muestre todas las claves con gaitcam keys. Las líneas que empiezan por «# clave =» son opciones inactivas.
 doctor-toml = { $file }: { $keys } valores
 doctor-keys-right = todas las claves existen y todos los valores están en su intervalo
 doctor-faults = { $count ->

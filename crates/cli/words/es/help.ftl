@@ -121,7 +121,7 @@ simulate-out = Carpeta de dynamics.csv, dynamics.xlsx, simulation.json y report.
 simulate-natural_frequency = Primera frecuencia natural del tren del seguidor: "60 Hz"
 simulate-damping_ratio = Razón de amortiguamiento del tren del seguidor (por defecto el valor de la escena, o 0.05)
 simulate-friction = Coeficiente de rozamiento entre leva y seguidor (por defecto el valor de la escena, o 0)
-simulate-restitution = Coeficiente de restitución de un choque, 0 … 1 (por defecto el valor de la escena, o 0)
+simulate-restitution = Coeficiente de restitución de un impacto, 0 … 1 (por defecto el valor de la escena, o 0)
 simulate-second_cam = Ángulo de una segunda leva igual detrás de la primera en el mismo eje: "180 deg"
 simulate-units = Unidad de las longitudes en mensajes, informes y figuras
 
@@ -230,5 +230,5 @@ walk-step_time_cv = Coeficiente de variación de las duraciones de paso generada
 walk-amplitude_cv = Coeficiente de variación de la amplitud de la fuerza generada (por defecto 0)
 walk-seed = Semilla de los pasos generados
 walk-out = Archivo del programa; las imágenes de la respuesta (svg, png) se escriben en la misma carpeta
-walk-max_acceleration = Aceleración angular máxima del árbol de levas: "10 rad/s^2"
+walk-max_acceleration = Aceleración angular máxima del eje de la leva: "10 rad/s^2"
 walk-json = Escribe JSON

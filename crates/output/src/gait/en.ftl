@@ -36,7 +36,11 @@ gait-unacceptable = The recording cannot be used: { $list }. { $others ->
         [0] Record again with a larger range.
        *[other] Record again with a larger range, or exclude the clipped column (--force).
     }
-gait-doubts = Check { $list }. Then give the named option, or accept with gait.accept = "{ $names }".
+gait-doubts = Check { $list }. Then { $count ->
+        [0] give another recording
+        [one] give the correct value (option { $options })
+       *[other] give the correct value (options { $options })
+    }, or accept with gait.accept = "{ $names }".
 gait-trial-columns = file  kind  used  rejected  stride s  mass kg  mean N  notes  joint mean
 gait-used = used
 gait-left-out = excluded: { $reason }

@@ -36,7 +36,11 @@ gait-unacceptable = El registro no se puede usar: { $list }. { $others ->
         [0] Registre de nuevo con un rango mayor.
        *[other] Registre de nuevo con un rango mayor, o excluya la columna recortada (--force).
     }
-gait-doubts = Compruebe { $list }. Indique después la opción citada, o acepte con gait.accept = "{ $names }".
+gait-doubts = Compruebe { $list }. Indique después { $count ->
+        [0] otro registro
+        [one] el valor correcto (opción { $options })
+       *[other] el valor correcto (opciones { $options })
+    }, o acepte con gait.accept = "{ $names }".
 gait-trial-columns = archivo  tipo  usados  rechazados  zancada s  masa kg  media N  notas  media conjunta
 gait-used = usado
 gait-left-out = excluido: { $reason }

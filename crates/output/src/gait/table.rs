@@ -246,8 +246,8 @@ impl Lines {
         }
     }
 
-    /// Writes the open questions: first those that cannot be accepted, then the others with the names under which the user can accept
-    /// them.
+    /// Writes the open questions: first those that cannot be accepted, then the others with the options that answer them and the names
+    /// under which the user can accept them.
     fn open_questions(&mut self, understood: &Interpretation) {
         let questions = understood.doubts();
         let (others, refused): (Vec<_>, Vec<_>) =
@@ -265,7 +265,10 @@ impl Lines {
         }
         if !others.is_empty() && (refused.is_empty() || unclipped > 0) {
             let names = others.iter().map(|q| q.name()).collect::<Vec<_>>();
-            let label = json!({"doubts": {"list": question, "names": names.join(", ")}});
+            let options = options(understood, &others);
+            let label = json!({"doubts": {
+                "list": question, "names": names.join(", "), "count": options.len(), "options": options.join(", "),
+            }});
             let text = self.words.sentence("gait", &label);
             self.row("gait-doubt", text);
         }
@@ -310,6 +313,20 @@ impl Lines {
         self.row("gait-spread", format_args!("{spread} N ({percent} % BW)"));
         self.row("gait-repeatability", format_args!("{repeat} N"));
     }
+}
+
+/// Names of the options that answer the questions, each once, without another file. A key of `gait` and an option of the command have
+/// the same name.
+fn options(understood: &Interpretation, questions: &[OpenQuestion]) -> Vec<&'static str> {
+    let mut out = Vec::new();
+    let notes = questions.iter().flat_map(|&q| understood.opened_by(q));
+    for key in notes.flat_map(|note| note.settled_by()) {
+        let name = key.trim_start_matches("gait.");
+        if name != "file" && !out.contains(&name) {
+            out.push(name);
+        }
+    }
+    out
 }
 
 /// Number of loaded columns without clipped forces. The user can select these columns and thus exclude the clipped columns. The number is

@@ -112,7 +112,7 @@ report-spectral = Solución espectral en forma cerrada
 report-equality = Mínimos cuadrados con restricciones de igualdad
 report-qp = Programa cuadrático convexo
 report-socp = Programa cónico de segundo orden
-report-scp = Sucesión de programas convexos
+report-scp = Secuencia de programas convexos
 report-solved = { $how }: { $time }, { $iterations ->
         [one] { $iterations } iteración
        *[other] { $iterations } iteraciones
@@ -182,7 +182,7 @@ report-steady-within = en las vueltas simuladas
 report-period-one = período: 1 vuelta
 report-period = período: { $turns } vueltas
 report-alt-simulation = Fuerza, par y separación de la simulación en la vuelta: fuerza { $low } a { $high }
-report-impacts = Choques
+report-impacts = Impactos
 report-leaves = Pérdida de contacto en
 report-lands = Contacto en
 report-impact-speed = Velocidad
@@ -335,7 +335,7 @@ laws-use-semicycloidal-start = Lleva de un detenimiento a una velocidad constant
 laws-use-semicycloidal-end = Lleva de una velocidad constante a un detenimiento con aceleración continua.
 laws-use-modified-trapezoid = Su aceleración es baja y continua. Úsela para seguidores ligeros limitados por la fuerza de inercia.
 laws-use-modified-sine = Su velocidad y su par de pico son bajos, y su aceleración es continua. Úsela para mesas giratorias pesadas y grandes masas.
-laws-use-scca = Esta familia incluye trapecio modificado, seno modificado y cicloidal. Use las partes b, c y d para equilibrar aceleración y velocidad.
+laws-use-scca = Esta familia incluye la trapezoidal modificada, la sinusoidal modificada y la cicloidal. Use las partes b, c y d para equilibrar aceleración y velocidad.
 laws-use-3-4-5 = Es el polinomio habitual entre detenimientos. La aceleración es continua, los picos son moderados y la leva es fácil de fabricar.
 laws-use-4-5-6-7 = Úselo entre detenimientos si la sobreaceleración debe ser cero en ambos extremos. Es más silencioso a alta velocidad, pero su aceleración de pico es mayor.
 laws-use-5-6-7-8-9 = Úselo entre detenimientos si también la derivada de la sobreaceleración debe ser cero en los extremos, como en máquinas rígidas y rápidas. Su aceleración de pico es la mayor de los tres polinomios.

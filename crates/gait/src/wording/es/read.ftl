@@ -108,7 +108,7 @@ read-cycle-value = falta un valor o no es un número
 read-cycle-too-long = las muestras abarcan { $span }, más que el período de { $period }
     .help = corrija period_s o dé un solo ciclo
 read-cycle-period-missing = no se da el período de los puntos críticos
-    .help = escriba "# period_s = 0.5" encima de la tabla
+    .help = escriba «# period_s = 0.5» encima de la tabla
 read-points-not-rising = se requieren al menos dos puntos críticos con tiempos crecientes
     .help = ordene las filas por tiempo
 read-point-beyond-period = el punto en { $at } está fuera del período de { $period }
