@@ -28,7 +28,7 @@ enum Command {
         #[arg(long)]
         quick: bool,
     },
-    /// Recompute every number of the source papers: published, recomputed, agreement
+    /// Recompute numbers of the source papers: published, recomputed, agreement
     Reproduce,
     /// Measure the times, rates and ratios of reports/benchmarks.md
     Benchmarks,
