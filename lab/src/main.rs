@@ -55,7 +55,7 @@ fn run(lab: &Lab) -> Result<ExitCode> {
         Command::Benchmarks => {
             let unexplained = benchmarks::write(&lab.out, say)?;
             if !unexplained.is_empty() {
-                eprintln!("Missed without a reason in the table: {unexplained:?}");
+                eprintln!("Outside the limit without a reason in the table: {unexplained:?}");
                 return Ok(ExitCode::FAILURE);
             }
         }
