@@ -72,8 +72,8 @@ def notes(python):
     """Steps of a maintainer before the first publication. They are not errors of a build."""
     if "repository" not in tomllib.loads((ROOT / "Cargo.toml").read_text(encoding="utf-8"))["workspace"]["package"]:
         yield "Cargo.toml names no repository: add `repository` when the project has a public address"
-    if re.search(r"(?m)^## Unreleased$", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")):
-        yield "CHANGELOG.md has a section Unreleased: name it after the version"
+    if re.search(r"(?mi)^## .*\b(Unreleased|not yet released)\b", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")):
+        yield "CHANGELOG.md has a section without a date: give it version and date"
     if "urls" not in python:
         yield "python/pyproject.toml has no [project.urls]: add it when the project has a public address"
 

@@ -28,7 +28,7 @@ enum Command {
         #[arg(long)]
         quick: bool,
     },
-    /// Recompute every number of the source papers: published, recomputed, agreement
+    /// Recompute numbers of the source papers: published, recomputed, agreement
     Reproduce,
     /// Measure the times, rates and ratios of reports/benchmarks.md
     Benchmarks,
@@ -55,7 +55,7 @@ fn run(lab: &Lab) -> Result<ExitCode> {
         Command::Benchmarks => {
             let unexplained = benchmarks::write(&lab.out, say)?;
             if !unexplained.is_empty() {
-                eprintln!("Missed without a reason in the table: {unexplained:?}");
+                eprintln!("Outside the limit without a reason in the table: {unexplained:?}");
                 return Ok(ExitCode::FAILURE);
             }
         }

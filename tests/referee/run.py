@@ -24,7 +24,7 @@ REPOSITORY = Path(__file__).resolve().parents[2]
 OPEN = {
     "heel_tester_fitted": {
         # There, points and dwells determine the law, so that the gradient of these limits is 0 in all remaining directions.
-        r"binding\[([4-9]|1[0-6])\]\.multiplier": "any multiplier is right: prescribed points fix the law where these limits are met",
+        r"binding\[([4-9]|1[0-6])\]\.multiplier": "any multiplier is right: prescribed points fix the law at the angles of these limits",
     },
     "walkers_spring": {
         r"relaxations\[0\]\.to": "stated 5.293 %, but the stated law reaches 5.248 %: the search over spans does not return to it",

@@ -29,8 +29,8 @@ PEERS = [
     ("", ["numpy", "scipy", "daqp", "piqp", "clarabel"], "fit_qp.py"),
     ("mechanism (PyPI)", ["mechanism"], "cam_mechanism.py"),
 ]
-# Required speed ratios.
-ASKED = {"fit_cvxpy.py": 50, "fit_scipy.py": 5, "fit_qp.py": 2, "cam_mechanism.py": 10}
+# Minimum speed ratios.
+MINIMUM = {"fit_cvxpy.py": 50, "fit_scipy.py": 5, "fit_qp.py": 2, "cam_mechanism.py": 10}
 # The kernel of gaitcam does the same work as the peer; the public call does the complete work for a user.
 PUBLIC = {
     "jerk limit, quintic 32 spans": "jerk limit, quintic 32 spans, public call",
@@ -169,13 +169,13 @@ def main():
         "",
         "*kernel*: gaitcam solves the task of the other program with the same input: the number of spans, and for DAQP, PIQP and Clarabel also all matrices. *more*: the complete result of `synthesise`, with the search for spans, the size of the cam, all checks on the continuous law and the certificate. For DAQP, PIQP and Clarabel it is the kernel including the assembly of its matrices.",
         "",
-        "| task | peer | its time | its error | kernel | its error | faster by | more | faster by | asked of the kernel |",
+        "| task | peer | its time | its error | kernel | its error | faster by | more | faster by | minimum for the kernel |",
         "|---|---|---|---|---|---|---|---|---|---|",
     ]
     for name, script, rows, why in found:
         if why:
             print(f"{name or script}: {why}")
-            lines.append(f"| — | {name or script} | {why} | | | | | | | {ASKED[script]} |")
+            lines.append(f"| — | {name or script} | {why} | | | | | | | {MINIMUM[script]} |")
         for row in rows:
             own = mine[row["task"]]
             more = mine.get(PUBLIC.get(row["task"]))
@@ -184,10 +184,10 @@ def main():
             more_time = f"{1e3 * more['seconds']:.4f} ms" if more else ""
             peer_name = f"{name} {row['version']}".strip()
             print(f"{peer_name}: {row['task']}: kernel {ratio:.1f} times, more {whole_ratio or '-'}")
-            asked = ASKED[script] if "DAQP" in peer_name or script != "fit_qp.py" else ""
+            minimum = MINIMUM[script] if "DAQP" in peer_name or script != "fit_qp.py" else ""
             lines.append(
                 f"| {row['task']} | {peer_name} | {1e3 * row['seconds']:.3f} ms | {row['error']} "
-                f"| {1e3 * own['seconds']:.4f} ms | {own['error']} | {ratio:.1f} | {more_time} | {whole_ratio} | {asked} |"
+                f"| {1e3 * own['seconds']:.4f} ms | {own['error']} | {ratio:.1f} | {more_time} | {whole_ratio} | {minimum} |"
             )
     all_files = dict(runs)["gaitcam synth, all files"]
     lines += [

@@ -34,10 +34,5 @@ pub(crate) fn dynamics(report: &mut Report) {
     let surfaces = [Surface::new(emitted.law, &fast)];
     let bounce = 0.5;
     let seconds = times(|| contact::run(&surfaces, &fast, bounce, &Limits::default()));
-    report.time(
-        "dynamics",
-        "contact, about thirty impacts (asked for ten)",
-        2e-3,
-        seconds,
-    );
+    report.time("dynamics", "contact, about thirty impacts", 2e-3, seconds);
 }

@@ -1,5 +1,5 @@
-//! Measurement of all required times, sizes and rates; writes reports/benchmarks.md. Tests check the accuracy, and the second half of the table names
-//! them.
+//! Measurement of all times, sizes and rates with a limit; writes reports/benchmarks.md. Tests check the accuracy, and the second half of the table
+//! names them.
 
 mod cams;
 mod cases;
@@ -17,7 +17,7 @@ use gaitcam::error::Result;
 use gaitcam_app::folder::Folder;
 use table::Report;
 
-/// Measures and writes benchmarks.md. Returns the missed requirements without a reason in the table.
+/// Measures and writes benchmarks.md. Returns the results outside their limits without a reason in the table.
 ///
 /// # Errors
 ///

@@ -15,7 +15,7 @@ pub(crate) fn charts(report: &mut Report, reports: &Path) {
     report.0.push(Line {
         area: "evidence",
         what: "charts whose default lies on the Pareto front (last `gaitcam-lab chart`)",
-        asked: format!("{} of {}", on + off, on + off),
+        limit: format!("{} of {}", on + off, on + off),
         measured: format!("{on} of {}", on + off),
         fastest: String::new(),
         met: off == 0 && on > 0,
@@ -51,8 +51,8 @@ fn against(report: &mut Report, cells: &[&str]) {
         _ => return,
     };
     let number = |k: usize| cells.get(k).and_then(|c| c.parse::<f64>().ok());
-    if let (Some(ratio), Some(asked)) = (number(7), number(10)) {
-        report.at_least("peers", kernel, asked, ratio);
+    if let (Some(ratio), Some(limit)) = (number(7), number(10)) {
+        report.at_least("peers", kernel, limit, ratio);
     }
     if let Some(ratio) = number(9) {
         report.stated("peers", more, format!("{ratio:.1}"));
@@ -61,7 +61,7 @@ fn against(report: &mut Report, cells: &[&str]) {
 
 /// Adds a row of the table of whole processes.
 fn process(report: &mut Report, cells: &[&str]) {
-    let asked = match cells.get(1) {
+    let (what, limit) = match cells.get(1) {
         Some(&"gaitcam synth, all files") => ("whole process, all files", 0.030),
         Some(&"gaitcam synth --no-png") => ("whole process, --no-png", 0.015),
         Some(&"gaitcam synth --json, no files") => ("whole process, --json without files", 0.004),
@@ -70,6 +70,6 @@ fn process(report: &mut Report, cells: &[&str]) {
     let time = cells.get(2).and_then(|c| c.strip_suffix(" ms"));
     if let Some(milliseconds) = time.and_then(|t| t.parse::<f64>().ok()) {
         let found = Times::known(1e-3 * milliseconds);
-        report.time("main job", asked.0, asked.1, found);
+        report.time("main job", what, limit, found);
     }
 }

@@ -1,4 +1,4 @@
-//! CAM-DAS: printed examples of its manual (theory §5), and misprints of its formulae.
+//! CAM-DAS: printed examples of its manual (theory §5), and discrepancies in its formulas.
 
 use super::{Value, strip};
 use gaitcam::cam::{Cam, Closure, Conjugate, Follower, ProfilePoint};

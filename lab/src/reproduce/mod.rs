@@ -27,8 +27,8 @@ pub enum Class {
     Rounding,
     /// The source states the extreme of values at whole degrees, which differs from the true extreme.
     Sampling,
-    /// Printing or copying error: the formulas of the source lead to the other value.
-    Misprint,
+    /// The formulas of the source lead to the other value: an error of printing or copying, in the source or in its conversion to text.
+    Discrepancy,
     /// No interpretation of the source leads to the number.
     NotReproducible,
     /// A measured value, compared with the fitted curve.
@@ -42,7 +42,7 @@ impl Class {
         Class::Agrees,
         Class::Rounding,
         Class::Sampling,
-        Class::Misprint,
+        Class::Discrepancy,
         Class::NotReproducible,
         Class::Measured,
         Class::NotStated,
@@ -53,7 +53,7 @@ impl Class {
             Class::Agrees => "equal to the digits printed",
             Class::Rounding => "the last digits differ: rounded inputs or cut digits",
             Class::Sampling => "the source reads extremes off whole degrees",
-            Class::Misprint => "the source's own formulas give the other value",
+            Class::Discrepancy => "the source's own formulas give the other value",
             Class::NotReproducible => "no reading of the source gives the number",
             Class::Measured => "a measurement, beside the value of the curve fitted to it",
             Class::NotStated => "computed here; the source is silent",
@@ -66,7 +66,7 @@ impl Class {
             Class::Agrees => "agrees",
             Class::Rounding => "rounding",
             Class::Sampling => "sampling at 1°",
-            Class::Misprint => "misprint",
+            Class::Discrepancy => "discrepancy",
             Class::NotReproducible => "not reproducible",
             Class::Measured => "measured",
             Class::NotStated => "not stated",
@@ -248,7 +248,7 @@ impl Reproduction {
     /// Report as `reproduction.md`.
     pub fn markdown(&self) -> String {
         let mut out = String::from(
-            "# The papers' numbers, computed again\n\nWritten by `gaitcam-lab reproduce`; every recomputed number is a result of the library.\n\n",
+            "# The papers' numbers, computed again\n\nWritten by `gaitcam-lab reproduce`; every recomputed number is a result of the library. Text conversions of the sources were read.\n\n",
         );
         out.push_str("| class | meaning | numbers |\n|---|---|---:|\n");
         for class in Class::ALL {

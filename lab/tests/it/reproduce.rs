@@ -108,7 +108,7 @@ fn stated_and_recomputed_numbers_are_those_of_the_theory_page() {
             .map(|r| r.class)
     };
     assert_eq!(class("Ejemplo11: largest jerk"), Some(Class::Sampling));
-    assert_eq!(class("largest d′"), Some(Class::Misprint));
+    assert_eq!(class("largest d′"), Some(Class::Discrepancy));
     assert_eq!(class("motor: factor"), Some(Class::NotReproducible));
     assert_eq!(class("coefficient C3"), Some(Class::Agrees));
     // Every number that differs must have a reason.

@@ -164,7 +164,7 @@ fn barrel_thesis() -> BarrelGroove {
 #[test]
 fn groove_of_the_barrel_thesis() {
     let groove = barrel_thesis();
-    // theory §4: table at 21 mm (misprinted radius), text at 30 mm.
+    // theory §4: table at 21 mm (not the radius of the text), text at 30 mm.
     let phi = |degrees: f64, radius: f64| {
         groove
             .pressure_angle(degrees.to_radians(), radius)

@@ -238,7 +238,7 @@ fn double_harmonic_falls_in_the_mirror() {
 }
 
 #[test]
-fn misprints_of_the_theses_are_not_repeated() {
+fn wrong_formulas_of_the_theses_are_not_used() {
     // theory §4: Berzak D's jerk ends with +882x⁴ (printed −882): both ends have 72.6.
     let jerk = |x: f64, last: f64| {
         72.6 - 612.0 * x + 1494.0 * x * x - 1764.0 * x.powi(3) + last * x.powi(4)
