@@ -1,20 +1,19 @@
 #!/usr/bin/env python3
 """Writes docs/pictures/: the pictures that the commands of the guide's pages produce.
 
-    python3 docs/pictures.py target/release/gaitcam            # --check: only compares, and fails if one is outdated
+    python3 docs/pictures.py target/release/gaitcam [CHAPTER …]    # --check: only compares, and fails if one is outdated
 
 Every SVG is a file of gaitcam, a diagram of its report, or the animated drawing of its report with the force beside it.
-The picture of the studio is a screenshot. It is made if Playwright and Chromium are installed (CHROMIUM names the
-browser).
+The chapter `studio` has screenshots (docs/screenshots.py). They need Chromium and Playwright, which
+crates/studio/tests/browser/run.sh installs.
 """
 
 import json
-import os
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
+from importlib.util import find_spec
 from pathlib import Path
 
 from commands import ROOT, Page
@@ -124,33 +123,23 @@ def content(folder, source):
     return text
 
 
-def studio(binary):
-    """Screenshot of the studio with the heel tester."""
-    try:
-        from playwright.sync_api import sync_playwright
-    except ImportError:
-        return print("the picture of the studio is left as it is: no Playwright")
-    chromium = os.environ.get("CHROMIUM") or shutil.which("chromium") or shutil.which("google-chrome")
-    served = subprocess.Popen([binary, "studio", str(ROOT / "scenes/heel_tester_fitted.toml"), "--no-open", "--lang", "en"],
-                              stdout=subprocess.PIPE, text=True)
-    with sync_playwright() as driver:
-        browser = driver.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
-        page = browser.new_page(viewport={"width": 1280, "height": 760})
-        page.goto(served.stdout.readline().strip())
-        page.wait_for_selector('#design[aria-busy="false"]:not([data-revision="0"])', timeout=60_000)
-        if page.is_visible("#welcome-close"):
-            page.click("#welcome-close")
-        page.wait_for_timeout(1000)
-        page.screenshot(path=str(TARGET / "studio-page.png"))
-        browser.close()
-    served.terminate()
-    served.wait()
+def studio(binary, check):
+    """Makes or compares the screenshots of the studio in a Python with Playwright."""
+    tests = ROOT / "target" / "browser-tests" / "bin" / "python"
+    python = sys.executable if find_spec("playwright") else tests
+    if not Path(python).exists():
+        sys.exit("the pictures of the studio need Playwright, which is not installed: "
+                 "run crates/studio/tests/browser/run.sh target/release/gaitcam")
+    command = [python, ROOT / "docs" / "screenshots.py", binary, *["--check"] * check]
+    sys.exit(subprocess.run(command).returncode)
 
 
-def main(binary, check):
+def main(binary, chapters, check):
     old = []
     TARGET.mkdir(exist_ok=True)
     for names, pictures in PICTURES.items():
+        if chapters and names[0] not in chapters:
+            continue
         for name, folder_of_pages, suffix in zip(names, ("guide", "guia"), ("", "-es")):
             path = ROOT / "docs" / folder_of_pages / f"{name}.md"
             if name is None or not path.exists():
@@ -167,12 +156,13 @@ def main(binary, check):
                     print(f"{file.relative_to(ROOT)} {file.stat().st_size}")
     if old:
         sys.exit(f"old pictures: {', '.join(old)}; python3 docs/pictures.py {binary}")
-    if not check:
-        studio(binary)
+    if not chapters or "studio" in chapters:
+        studio(binary, check)
 
 
 if __name__ == "__main__":
     arguments = [a for a in sys.argv[1:] if a != "--check"]
-    if len(arguments) != 1:
-        sys.exit(__doc__)
-    main(str(Path(arguments[0]).resolve()), "--check" in sys.argv)
+    known = [names[0] for names in PICTURES] + ["studio"]
+    if not arguments or not set(arguments[1:]) <= set(known):
+        sys.exit(f"{__doc__}\nChapters: {', '.join(known)}")
+    main(str(Path(arguments[0]).resolve()), arguments[1:], "--check" in sys.argv)
