@@ -55,12 +55,23 @@ def coloured(svg, report):
     return re.sub(r"var\(--(\w+)\)", lambda name: re.search(rf"--{name.group(1)}: (#\w+)", colours).group(1), svg)
 
 
+# Height of the title above a diagram of a report, and its distance from the left edge, which is that of the frame.
+TITLE, LEFT = 40, 88.4
+
+
 def diagram(report, name):
-    """Diagram of a report as a separate file, with the light colours of the report and a white background."""
-    svg = coloured(re.search(rf'<svg id="{name}".*?</svg>', report, re.S).group(), report)
+    """Diagram of a report as a separate file, with the light colours of the report and a white background. Its title is the
+    name of the scene and the heading of the section."""
+    before, svg = re.search(rf'(.*)(<svg id="{name}".*?</svg>)', report, re.S).groups()
+    scene, section = re.search(r"<h1>(.*?)</h1>", before).group(1), re.findall(r"<h2>(.*?)</h2>", before)[-1]
     width, height = re.search(r'viewBox="0 0 (\S+) (\S+)"', svg).groups()
-    start = f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" font-family="sans-serif" '
-    return re.sub(r"^<svg ([^>]*>)", rf'{start}\1<rect width="{width}" height="{height}" fill="#fff"/>', svg)
+    tall = int(height) + TITLE
+    svg = svg.replace(f'viewBox="0 0 {width} {height}"', f'viewBox="0 {-TITLE} {width} {tall}"', 1)
+    start = f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{tall}" font-family="sans-serif" '
+    title = (f'<rect y="{-TITLE}" width="{width}" height="{tall}" fill="#fff"/>'
+             f'<text x="{LEFT}" y="-12" font-size="18" fill="var(--quiet)">'
+             f'<tspan font-weight="bold" fill="var(--ink)">{scene}</tspan> {section[0].lower()}{section[1:]}</text>')
+    return coloured(re.sub(r"^<svg ([^>]*>)", rf"{start}\1{title}", svg), report)
 
 
 # Duration of a turn in the animation, s, and number of its key frames.
