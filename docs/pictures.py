@@ -20,7 +20,7 @@ from commands import ROOT, Page
 
 TARGET = ROOT / "docs" / "pictures"
 # Page and, if there is one, its Spanish translation; picture and its file, `FILE.html#ID` for a diagram in the file,
-# or `FILE.html#motion` for the animated cam.
+# or `FILE.html#motion` for the animated cam, or `FILE.svg#labelled` for a profile with scale and labels.
 PICTURES = {
     ("first-cam", "primera-leva"): {
         "cam": "out/footbridge/cam.svg",
@@ -42,7 +42,7 @@ PICTURES = {
         "speeds": "out/footbridge_speeds/speeds.svg",
     },
     ("sweeps", "barridos"): {"heat": "out/grid/heat.svg", "front": "out/grid/front.svg"},
-    ("workshop", None): {"profile": "out/shop/profile.svg"},
+    ("workshop", None): {"profile": "out/shop/profile.svg#labelled"},
     ("teachers", "docentes"): {"svaj": "out/camdas_09_eight_motions/svaj.svg"},
     ("python", "python"): {"svaj": "out/footbridge/svaj.svg"},
 }
@@ -72,6 +72,21 @@ def diagram(report, name):
              f'<text x="{LEFT}" y="-12" font-size="18" fill="var(--quiet)">'
              f'<tspan font-weight="bold" fill="var(--ink)">{scene}</tspan> {section[0].lower()}{section[1:]}</text>')
     return coloured(re.sub(r"^<svg ([^>]*>)", rf"{start}\1{title}", svg), report)
+
+
+def labelled(profile):
+    """Profile on white paper, with a scale bar of 50 mm, the label of θ = 0 and the symbol ω below the arrow of rotation."""
+    x, y, width, height = (float(v) for v in re.search(r'viewBox="([^"]+)"', profile).group(1).split())
+    base = float(re.search(r'id="base-circle" r="([^"]+)"', profile).group(1))
+    tall, bar = height + 10, y + height + 3
+    tags = (f'<path d="M{x + 5:g} {bar - 1:g}v2m0 -1h50m0 -1v2" stroke="#000" stroke-width="0.4"/>'
+            f'<g font-family="sans-serif" font-size="4" fill="#000"><text x="{x + 57:g}" y="{bar + 1.4:g}">50 mm</text>'
+            f'<text y="{-base - 2:g}" text-anchor="middle">θ = 0</text>'
+            f'<text y="{base + 4.5:g}" text-anchor="middle">ω</text></g></svg>')
+    head = re.compile(r'width="[^"]*" height="[^"]*" viewBox="[^"]*"([^>]*>)')
+    start = f'width="{6 * width:.0f}" height="{6 * tall:.0f}" viewBox="{x:g} {y:g} {width:g} {tall:g}"'
+    paper = f'<rect x="{x:g}" y="{y:g}" width="{width:g}" height="{tall:g}" fill="#fff"/>'
+    return head.sub(rf"{start}\1{paper}", profile, count=1).replace("</svg>", tags)
 
 
 # Duration of a turn in the animation, s, and number of its key frames.
@@ -129,7 +144,8 @@ def motion(report):
 def content(folder, source):
     file, _, name = source.partition("#")
     text = (folder / file).read_text(encoding="utf-8")
-    text = motion(text) if name == "motion" else diagram(text, name) if name else text
+    if name:
+        text = {"motion": motion, "labelled": labelled}.get(name, lambda report: diagram(report, name))(text)
     assert len(text.encode()) <= LARGEST, f"{source}: {len(text.encode())} bytes"
     return text
 
