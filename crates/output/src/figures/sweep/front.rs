@@ -12,7 +12,9 @@ use crate::plot::text::text_width;
 use crate::words;
 use gaitcam::wording::Language;
 
-/// Figure of two objectives: all designs as dots, the front as a line with dots, and the best design with a ring.
+/// Figure of two objectives: all designs as dots, the front as larger dots, and the best design with a ring. Without a best design, the
+/// front is a computed curve, and its dots are connected by a line. The designs of a table are not connected, because there are no designs
+/// between them.
 pub fn front(
     title: &str,
     x: &Quantity,
@@ -46,7 +48,9 @@ pub fn front(
                 inner.draw(&Circle::new((a, b), units(2.0), AXIS.filled()))?;
             }
         }
-        trace(&inner, on_front.as_slice(), stroke(BLUE, 1.6))?;
+        if best.is_none() {
+            trace(&inner, on_front.as_slice(), stroke(BLUE, 1.6))?;
+        }
         for &p in &on_front {
             inner.draw(&Circle::new(p, units(3.6), BLUE.filled()))?;
         }
