@@ -1,27 +1,26 @@
 #!/usr/bin/env python3
 """Writes docs/pictures/: the pictures that the commands of the guide's pages produce.
 
-    python3 docs/pictures.py target/release/gaitcam            # --check: only compares, and fails if one is outdated
+    python3 docs/pictures.py target/release/gaitcam [CHAPTER …]    # --check: only compares, and fails if one is outdated
 
 Every SVG is a file of gaitcam, a diagram of its report, or the animated drawing of its report with the force beside it.
-The picture of the studio is a screenshot. It is made if Playwright and Chromium are installed (CHROMIUM names the
-browser).
+The chapter `studio` has screenshots (docs/screenshots.py). They need Chromium and Playwright, which
+crates/studio/tests/browser/run.sh installs.
 """
 
 import json
-import os
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
+from importlib.util import find_spec
 from pathlib import Path
 
 from commands import ROOT, Page
 
 TARGET = ROOT / "docs" / "pictures"
 # Page and, if there is one, its Spanish translation; picture and its file, `FILE.html#ID` for a diagram in the file,
-# or `FILE.html#motion` for the animated cam.
+# or `FILE.html#motion` for the animated cam, or `FILE.svg#labelled` for a profile with scale and labels.
 PICTURES = {
     ("first-cam", "primera-leva"): {
         "cam": "out/footbridge/cam.svg",
@@ -43,7 +42,7 @@ PICTURES = {
         "speeds": "out/footbridge_speeds/speeds.svg",
     },
     ("sweeps", "barridos"): {"heat": "out/grid/heat.svg", "front": "out/grid/front.svg"},
-    ("workshop", None): {"profile": "out/shop/profile.svg"},
+    ("workshop", None): {"profile": "out/shop/profile.svg#labelled"},
     ("teachers", "docentes"): {"svaj": "out/camdas_09_eight_motions/svaj.svg"},
     ("python", "python"): {"svaj": "out/footbridge/svaj.svg"},
 }
@@ -56,12 +55,38 @@ def coloured(svg, report):
     return re.sub(r"var\(--(\w+)\)", lambda name: re.search(rf"--{name.group(1)}: (#\w+)", colours).group(1), svg)
 
 
+# Height of the title above a diagram of a report, and its distance from the left edge, which is that of the frame.
+TITLE, LEFT = 40, 88.4
+
+
 def diagram(report, name):
-    """Diagram of a report as a separate file, with the light colours of the report and a white background."""
-    svg = coloured(re.search(rf'<svg id="{name}".*?</svg>', report, re.S).group(), report)
+    """Diagram of a report as a separate file, with the light colours of the report and a white background. Its title is the
+    name of the scene and the heading of the section."""
+    before, svg = re.search(rf'(.*)(<svg id="{name}".*?</svg>)', report, re.S).groups()
+    scene, section = re.search(r"<h1>(.*?)</h1>", before).group(1), re.findall(r"<h2>(.*?)</h2>", before)[-1]
     width, height = re.search(r'viewBox="0 0 (\S+) (\S+)"', svg).groups()
-    start = f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" font-family="sans-serif" '
-    return re.sub(r"^<svg ([^>]*>)", rf'{start}\1<rect width="{width}" height="{height}" fill="#fff"/>', svg)
+    tall = int(height) + TITLE
+    svg = svg.replace(f'viewBox="0 0 {width} {height}"', f'viewBox="0 {-TITLE} {width} {tall}"', 1)
+    start = f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{tall}" font-family="sans-serif" '
+    title = (f'<rect y="{-TITLE}" width="{width}" height="{tall}" fill="#fff"/>'
+             f'<text x="{LEFT}" y="-12" font-size="18" fill="var(--quiet)">'
+             f'<tspan font-weight="bold" fill="var(--ink)">{scene}</tspan> {section[0].lower()}{section[1:]}</text>')
+    return coloured(re.sub(r"^<svg ([^>]*>)", rf"{start}\1{title}", svg), report)
+
+
+def labelled(profile):
+    """Profile on white paper, with a scale bar of 50 mm, the label of θ = 0 and the symbol ω below the arrow of rotation."""
+    x, y, width, height = (float(v) for v in re.search(r'viewBox="([^"]+)"', profile).group(1).split())
+    base = float(re.search(r'id="base-circle" r="([^"]+)"', profile).group(1))
+    tall, bar = height + 10, y + height + 3
+    tags = (f'<path d="M{x + 5:g} {bar - 1:g}v2m0 -1h50m0 -1v2" stroke="#000" stroke-width="0.4"/>'
+            f'<g font-family="sans-serif" font-size="4" fill="#000"><text x="{x + 57:g}" y="{bar + 1.4:g}">50 mm</text>'
+            f'<text y="{-base - 2:g}" text-anchor="middle">θ = 0</text>'
+            f'<text y="{base + 4.5:g}" text-anchor="middle">ω</text></g></svg>')
+    head = re.compile(r'width="[^"]*" height="[^"]*" viewBox="[^"]*"([^>]*>)')
+    start = f'width="{6 * width:.0f}" height="{6 * tall:.0f}" viewBox="{x:g} {y:g} {width:g} {tall:g}"'
+    paper = f'<rect x="{x:g}" y="{y:g}" width="{width:g}" height="{tall:g}" fill="#fff"/>'
+    return head.sub(rf"{start}\1{paper}", profile, count=1).replace("</svg>", tags)
 
 
 # Duration of a turn in the animation, s, and number of its key frames.
@@ -119,38 +144,29 @@ def motion(report):
 def content(folder, source):
     file, _, name = source.partition("#")
     text = (folder / file).read_text(encoding="utf-8")
-    text = motion(text) if name == "motion" else diagram(text, name) if name else text
+    if name:
+        text = {"motion": motion, "labelled": labelled}.get(name, lambda report: diagram(report, name))(text)
     assert len(text.encode()) <= LARGEST, f"{source}: {len(text.encode())} bytes"
     return text
 
 
-def studio(binary):
-    """Screenshot of the studio with the heel tester."""
-    try:
-        from playwright.sync_api import sync_playwright
-    except ImportError:
-        return print("the picture of the studio is left as it is: no Playwright")
-    chromium = os.environ.get("CHROMIUM") or shutil.which("chromium") or shutil.which("google-chrome")
-    served = subprocess.Popen([binary, "studio", str(ROOT / "scenes/heel_tester_fitted.toml"), "--no-open", "--lang", "en"],
-                              stdout=subprocess.PIPE, text=True)
-    with sync_playwright() as driver:
-        browser = driver.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
-        page = browser.new_page(viewport={"width": 1280, "height": 760})
-        page.goto(served.stdout.readline().strip())
-        page.wait_for_selector('#design[aria-busy="false"]:not([data-revision="0"])', timeout=60_000)
-        if page.is_visible("#welcome-close"):
-            page.click("#welcome-close")
-        page.wait_for_timeout(1000)
-        page.screenshot(path=str(TARGET / "studio-page.png"))
-        browser.close()
-    served.terminate()
-    served.wait()
+def studio(binary, check):
+    """Makes or compares the screenshots of the studio in a Python with Playwright."""
+    tests = ROOT / "target" / "browser-tests" / "bin" / "python"
+    python = sys.executable if find_spec("playwright") else tests
+    if not Path(python).exists():
+        sys.exit("the pictures of the studio need Playwright, which is not installed: "
+                 "run crates/studio/tests/browser/run.sh target/release/gaitcam")
+    command = [python, ROOT / "docs" / "screenshots.py", binary, *["--check"] * check]
+    sys.exit(subprocess.run(command).returncode)
 
 
-def main(binary, check):
+def main(binary, chapters, check):
     old = []
     TARGET.mkdir(exist_ok=True)
     for names, pictures in PICTURES.items():
+        if chapters and names[0] not in chapters:
+            continue
         for name, folder_of_pages, suffix in zip(names, ("guide", "guia"), ("", "-es")):
             path = ROOT / "docs" / folder_of_pages / f"{name}.md"
             if name is None or not path.exists():
@@ -167,12 +183,13 @@ def main(binary, check):
                     print(f"{file.relative_to(ROOT)} {file.stat().st_size}")
     if old:
         sys.exit(f"old pictures: {', '.join(old)}; python3 docs/pictures.py {binary}")
-    if not check:
-        studio(binary)
+    if not chapters or "studio" in chapters:
+        studio(binary, check)
 
 
 if __name__ == "__main__":
     arguments = [a for a in sys.argv[1:] if a != "--check"]
-    if len(arguments) != 1:
-        sys.exit(__doc__)
-    main(str(Path(arguments[0]).resolve()), "--check" in sys.argv)
+    known = [names[0] for names in PICTURES] + ["studio"]
+    if not arguments or not set(arguments[1:]) <= set(known):
+        sys.exit(f"{__doc__}\nChapters: {', '.join(known)}")
+    main(str(Path(arguments[0]).resolve()), arguments[1:], "--check" in sys.argv)

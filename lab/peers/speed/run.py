@@ -121,11 +121,11 @@ def processes(pythons, folder):
 
 
 def chart(rows):
-    """Picture with bars of the process times on a logarithmic scale."""
+    """Picture with dots at the process times on a logarithmic scale."""
     low, high = 1e-3, 10.0
-    width, bar, left = 560, 26, 240
+    width, row, left = 560, 26, 240
     place = lambda s: left + width * math.log(s / low) / math.log(high / low)
-    height = 70 + bar * len(rows)
+    height = 70 + row * len(rows)
     out = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {left + width + 90} {height}" '
         'font-family="DejaVu Sans, sans-serif" font-size="13">',
@@ -138,12 +138,14 @@ def chart(rows):
         out.append(f'<path d="M{x:.1f} 32V{height - 28}" stroke="#ccc"/>')
         out.append(f'<text x="{x:.1f}" y="{height - 10}" text-anchor="middle" fill="#555">{name}</text>')
     for i, (name, seconds) in enumerate(rows):
-        y = 38 + bar * i
+        y = 38 + row * i
         colour = "#0072b2" if name.startswith("gaitcam") else "#999"
-        out.append(f'<rect x="{left}" y="{y}" width="{place(seconds) - left:.1f}" height="{bar - 8}" fill="{colour}"/>')
+        x = place(seconds)
+        out.append(f'<path d="M{left} {y + 9}H{left + width}" stroke="#eee"/>')
+        out.append(f'<circle cx="{x:.1f}" cy="{y + 9}" r="5" fill="{colour}"/>')
         out.append(f'<text x="{left - 8}" y="{y + 13}" text-anchor="end">{name}</text>')
         time = f"{seconds:.3g} s" if seconds >= 1 else f"{1e3 * seconds:.3g} ms"
-        out.append(f'<text x="{place(seconds) + 6:.1f}" y="{y + 13}">{time}</text>')
+        out.append(f'<text x="{x + 10:.1f}" y="{y + 13}">{time}</text>')
     return "\n".join(out + ["</svg>\n"])
 
 

@@ -6,7 +6,7 @@ use crate::chart::{self, Across, Chart, Row};
 use gaitcam::dynamics::{self, Model, Outcome, simulate};
 use gaitcam::error::Result;
 use gaitcam_output::Picture;
-use gaitcam_output::overlay::{Strip, diagrams};
+use gaitcam_output::overlay::{Look, Strip, diagrams_with};
 use gaitcam_test_support::thesis;
 
 /// A curve with its name in the legend.
@@ -37,9 +37,11 @@ pub fn pictures() -> Result<Vec<(&'static str, Picture)>> {
             gaps.push((name, over_the_turn(&out, |r| 1e3 * r.gap)));
         }
     }
-    let force = diagram("Contact force at 11.624 rad/s", "force, N", forces);
-    let torque = diagram("Shaft torque at 11.624 rad/s", "torque, N·m", torques);
-    let gap = diagram("Gap above the lift-off speed", "gap, mm", gaps);
+    let force = diagram("Contact force at 11.624 rad/s", "force, N", forces, &[]);
+    let torque = diagram("Shaft torque at 11.624 rad/s", "torque, N·m", torques, &[]);
+    // Up to the first landing, the gaps for both values of e are equal.
+    let looks = [Look::Wide, Look::Line, Look::Wide, Look::Line];
+    let gap = diagram("Gap above the lift-off speed", "gap, mm", gaps, &looks);
     Ok(vec![
         ("dynamics_force", force),
         ("dynamics_torque", torque),
@@ -54,10 +56,10 @@ fn over_the_turn(out: &Outcome, value: fn(&dynamics::Row) -> f64) -> Vec<(f64, f
     points.collect()
 }
 
-fn diagram(title: &str, quantity: &str, curves: Vec<Curve>) -> Picture {
+fn diagram(title: &str, quantity: &str, curves: Vec<Curve>, looks: &[Look]) -> Picture {
     let (names, curves): (Vec<String>, Vec<_>) = curves.into_iter().unzip();
     let quantity = quantity.to_string();
-    diagrams(title, "", &names, &[Strip { quantity, curves }])
+    diagrams_with(looks, title, "", &names, &[Strip { quantity, curves }])
 }
 
 /// Picture of the force error of the emitted points against their number.

@@ -9,7 +9,7 @@ use gaitcam::poly::{PiecewisePoly, bernstein};
 use gaitcam::scene;
 use gaitcam::synth::{Design, synthesise};
 use gaitcam::units::LBF;
-use gaitcam_output::overlay;
+use gaitcam_output::overlay::{self, Look};
 use gaitcam_output::picture::Picture;
 use std::f64::consts::{PI, TAU};
 
@@ -175,14 +175,15 @@ pub(super) fn picture() -> Result<Picture> {
     };
     let mut points = vec![(0.0, 0.0)];
     points.extend(POINTS);
-    points.extend([(END, 0.0), (360.0, 0.0)]);
+    points.push((END, 0.0));
     let names = [
         "polynomial of degree 8",
         "level at the peaks, least ∫j²",
         "critical points",
     ]
     .map(str::to_string);
-    Ok(overlay::diagrams(
+    Ok(overlay::diagrams_with(
+        &[Look::Line, Look::Line, Look::Dots],
         "Heel tester",
         "force of Vargas and León (2024)",
         &names,

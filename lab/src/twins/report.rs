@@ -151,20 +151,14 @@ fn write(out: &Path, errors: &[Vec<f64>], found: &[(Class, Vec<Estimate>)]) -> R
             .map(|(i, e)| (i as f64 + 1.0, *e))
             .collect()
     };
-    let rows = [
-        Strip {
-            quantity: "% of the weight".into(),
-            curves: sorted.iter().map(curve).collect(),
-        },
-        Strip {
-            quantity: "% of the weight".into(),
-            curves: [vec![Vec::new()], sorted[1..].iter().map(curve).collect()].concat(),
-        },
-    ];
-    let names = ["first cam", "after one new cut", "after two"].map(String::from);
+    let rows = [Strip {
+        quantity: "% of the weight".into(),
+        curves: sorted.iter().map(curve).collect(),
+    }];
+    let names = ["first cam", "corrected once", "corrected twice"].map(String::from);
     let picture = diagrams_over(
-        "twins, sorted by their error",
-        "twins",
+        "machines, sorted by their error",
+        &format!("{count} simulated machines"),
         "force error",
         &names,
         &rows,

@@ -1,12 +1,12 @@
 //! Several designs in one figure: overlaid diagrams over the cam angle, and overlaid profiles.
 
-use plotters::style::RGBAColor;
+use plotters::style::{Color, RGBAColor};
 
 use crate::plot::axes::padded;
 use crate::plot::layout::{LETTERS, Layout, columns, key_width, strips};
 use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, RED};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{Frame, stroke, trace};
+use crate::plot::sheet::{Frame, circle, stroke, trace};
 use gaitcam::cam::Measures;
 use gaitcam::wording::Language;
 
@@ -35,10 +35,47 @@ pub struct Strip {
     pub curves: Vec<Vec<(f64, f64)>>,
 }
 
+/// Style of the curves of a design.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Look {
+    /// A line.
+    Line,
+    /// A wide pale line, on which a later curve with the same values remains visible.
+    Wide,
+    /// Separate dots.
+    Dots,
+}
+
+impl Look {
+    /// Colour and width of the line in the legend. Dots have no line.
+    fn sample(self, colour: RGBAColor) -> (RGBAColor, f64) {
+        match self {
+            Look::Line => (colour, 2.6),
+            Look::Wide => (colour.mix(0.35), 8.0),
+            Look::Dots => (colour.mix(0.0), 2.6),
+        }
+    }
+}
+
+/// Radius of dots, points.
+const DOT: f64 = 5.0;
+
 /// Diagrams over the cam angle, one above the other. Each design has one colour in all diagrams; colours repeat after twelve designs.
 pub fn diagrams(head: &str, what: &str, names: &[String], rows: &[Strip]) -> Picture {
     let across = Measures::Translating.angle_words();
     diagrams_over(across, head, what, names, rows, Language::En)
+}
+
+/// Diagrams over the cam angle, one above the other. `looks` contains the style of each design; the rest are lines.
+pub fn diagrams_with(
+    looks: &[Look],
+    head: &str,
+    what: &str,
+    names: &[String],
+    rows: &[Strip],
+) -> Picture {
+    let across = Measures::Translating.angle_words();
+    drawn(across, looks, [head, what], names, rows, Language::En)
 }
 
 /// Diagrams over any quantity, one above the other. `across` is the name of the quantity on the horizontal axis.
@@ -50,6 +87,19 @@ pub fn diagrams_over(
     rows: &[Strip],
     language: Language,
 ) -> Picture {
+    drawn(across, &[], [head, what], names, rows, language)
+}
+
+fn drawn(
+    across: &str,
+    looks: &[Look],
+    [head, what]: [&str; 2],
+    names: &[String],
+    rows: &[Strip],
+    language: Language,
+) -> Picture {
+    let colour = |i: usize| COLOURS[i % COLOURS.len()];
+    let look = |i: usize| looks.get(i).copied().unwrap_or(Look::Line);
     let rows: Vec<Strip> = rows
         .iter()
         .map(|row| Strip {
@@ -60,7 +110,10 @@ pub fn diagrams_over(
     let entries: Vec<(RGBAColor, f64, &str)> = names
         .iter()
         .enumerate()
-        .map(|(i, n)| (COLOURS[i % COLOURS.len()], 2.6, n.as_str()))
+        .map(|(i, n)| {
+            let (colour, width) = look(i).sample(colour(i));
+            (colour, width, n.as_str())
+        })
         .collect();
     let frame = Layout::ALONE.frame();
     let lines = lines(&entries, (frame.right - frame.left) / (0.9 * LETTERS));
@@ -74,8 +127,16 @@ pub fn diagrams_over(
         let e = f.e;
         f.title(head, what)?;
         let mut frame = layout.frame();
+        let mut first = 0;
         for line in &lines {
-            f.key([frame.left, frame.top + 0.4 * e], 0.9 * e, line)?;
+            let at = [frame.left, frame.top + 0.4 * e];
+            f.key(at, 0.9 * e, line)?;
+            for (k, x) in samples(line, at[0], 0.9 * e).enumerate() {
+                if look(first + k) == Look::Dots {
+                    circle(f.canvas, [x, at[1]], DOT, colour(first + k).filled())?;
+                }
+            }
+            first += line.len();
             frame.top += 1.6 * e;
         }
         frame.top += 0.8 * e;
@@ -93,7 +154,11 @@ pub fn diagrams_over(
             let y = padded(row.curves.iter().flatten().map(|p| p.1), 0.08);
             let panel = f.panel(frames[k], x, columns(x, across.contains('θ')), y)?;
             for (i, curve) in row.curves.iter().enumerate().filter(|c| !c.1.is_empty()) {
-                panel.curve(curve, COLOURS[i % COLOURS.len()], 2.2)?;
+                match look(i) {
+                    Look::Line => panel.curve(curve, colour(i), 2.2)?,
+                    Look::Wide => panel.curve(curve, colour(i).mix(0.35), 8.0)?,
+                    Look::Dots => panel.dots(curve, colour(i), DOT)?,
+                }
             }
             panel.quantity(&row.quantity)?;
             if k + 1 == rows.len() {
@@ -101,6 +166,15 @@ pub fn diagrams_over(
             }
         }
         Ok(())
+    })
+}
+
+/// Horizontal positions of the middles of the line samples in a line of the legend, which starts at `left` with letters of the given size.
+fn samples(line: &[(RGBAColor, f64, &str)], left: f64, size: f64) -> impl Iterator<Item = f64> {
+    line.iter().scan(left, move |x, entry| {
+        let middle = *x + size;
+        *x += size * key_width(entry.2);
+        Some(middle)
     })
 }
 

@@ -1,13 +1,14 @@
 //! Figure of a cam at several speeds: force error, load factors, torque, and speed variation of a motor-driven shaft.
 
 use std::f64::consts::PI;
+use std::ops::Range;
 
 use plotters::style::{Color, RGBAColor};
 
 use super::force::force_frame;
 use crate::plot::axes::{Panel, padded, ticks};
 use crate::plot::layout::{Figure, Layout, strips};
-use crate::plot::palette::{BLUE, GREEN, ORANGE, PURPLE, RED};
+use crate::plot::palette::{BLUE, GREEN, PURPLE, QUIET, RED};
 use crate::plot::picture::Picture;
 use crate::plot::sheet::{Drawn, Frame};
 use crate::words::{self, Words};
@@ -46,13 +47,17 @@ pub struct AtSpeed {
     pub contact_lost: bool,
 }
 
+/// Colours of harmonics 1 to 4. The target is a wide pale line in the same colour.
 const COLOURS: [RGBAColor; 4] = [BLUE, GREEN, PURPLE, RED];
 
 /// Quantity that is drawn in one diagram of the figure.
 #[derive(Clone, Copy, PartialEq)]
 enum Strip {
     Error,
-    Factors,
+    /// Load factor of harmonic 1.
+    FirstFactor,
+    /// Load factors of harmonics 2 to 4. They are several times smaller and therefore have a separate axis.
+    HigherFactors,
     Torque,
     Ripple,
 }
@@ -71,12 +76,11 @@ pub fn speeds(name: &str, rows: &[AtSpeed], measures: Measures, language: Langua
     };
     layout.picture(language, |f| {
         f.title(name, &words.text("figure-speeds"))?;
+        let has_factors = rows.iter().any(|r| r.load_factors.is_some());
         let used = [
             (Strip::Error, rows.iter().any(|r| r.rms_error.is_some())),
-            (
-                Strip::Factors,
-                rows.iter().any(|r| r.load_factors.is_some()),
-            ),
+            (Strip::FirstFactor, has_factors),
+            (Strip::HigherFactors, has_factors),
             (Strip::Torque, true),
             (Strip::Ripple, rows.iter().any(|r| r.ripple > 0.0)),
         ];
@@ -99,7 +103,7 @@ pub fn speeds(name: &str, rows: &[AtSpeed], measures: Measures, language: Langua
 impl Strip {
     fn share(self) -> f64 {
         match self {
-            Strip::Factors => 1.8,
+            Strip::FirstFactor | Strip::HigherFactors => 1.4,
             Strip::Error | Strip::Torque | Strip::Ripple => 1.0,
         }
     }
@@ -107,7 +111,8 @@ impl Strip {
     fn quantity(self) -> &'static str {
         match self {
             Strip::Error => "figure-error-rms",
-            Strip::Factors => "figure-load-factors",
+            Strip::FirstFactor => "figure-first-factor",
+            Strip::HigherFactors => "figure-higher-factors",
             Strip::Torque => "figure-torque-largest",
             Strip::Ripple => "figure-ripple",
         }
@@ -133,15 +138,20 @@ impl Shown<'_> {
             Strip::Error => one(&|r| r.rms_error),
             Strip::Torque => one(&|r| Some(r.torque)),
             Strip::Ripple => one(&|r| Some(100.0 * r.ripple)),
-            Strip::Factors => {
-                let target = |k: usize| self.curve(|r| r.target_factors.map(|f| f[k]));
-                let own = |k: usize| self.curve(|r| r.load_factors.map(|f| f[k]));
-                let targets = (0..4).map(|k| (target(k), ORANGE.mix(0.45), 7.0));
-                targets
-                    .chain((0..4).map(|k| (own(k), COLOURS[k], 2.2)))
-                    .collect()
-            }
+            Strip::FirstFactor => self.factors(0..1),
+            Strip::HigherFactors => self.factors(1..4),
         }
+    }
+
+    /// Curves of the load factors at the given indices in [`AtSpeed::load_factors`], with those of the target first.
+    fn factors(&self, indices: Range<usize>) -> Vec<Curve> {
+        let target = |k: usize| self.curve(|r| r.target_factors.map(|f| f[k]));
+        let own = |k: usize| self.curve(|r| r.load_factors.map(|f| f[k]));
+        let targets = indices
+            .clone()
+            .map(|k| (target(k), COLOURS[k].mix(0.35), 7.0));
+        let all = targets.chain(indices.map(|k| (own(k), COLOURS[k], 2.2)));
+        all.collect()
     }
 
     fn strip<'a, 'c>(
@@ -183,9 +193,9 @@ impl Shown<'_> {
 
     fn key(&self, f: &Figure, used: &[Strip]) -> Drawn {
         let mut entries = Vec::new();
-        if used.contains(&Strip::Factors) {
+        if used.contains(&Strip::FirstFactor) {
             if self.rows.iter().any(|r| r.target_factors.is_some()) {
-                entries.push((ORANGE.mix(0.45), 7.0, self.words.text("figure-target")));
+                entries.push((QUIET.mix(0.4), 7.0, self.words.text("figure-target")));
             }
             for (k, colour) in COLOURS.into_iter().enumerate() {
                 let number = (k + 1).to_string();

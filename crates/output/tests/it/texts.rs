@@ -199,7 +199,19 @@ fn texts_of_recordings_and_searches_keep_their_places_in_both_languages() {
             ),
             (
                 "front",
-                sweep_plots::front("Frente", &x, &y, &on_front, Some(on_front[0]), language),
+                sweep_plots::front(
+                    "Frente",
+                    &x,
+                    &y,
+                    &on_front,
+                    Some(on_front[0]),
+                    None,
+                    language,
+                ),
+            ),
+            (
+                "trade-off",
+                sweep_plots::front("Compromiso", &x, &y, &on_front, None, Some(1.4e8), language),
             ),
             (
                 "heat map",

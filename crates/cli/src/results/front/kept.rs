@@ -29,13 +29,23 @@ fn axis(column: &str) -> String {
     let own = words::column(column);
     let is_limit = |k: &&keys::Key| k.path == typed.name() && k.limit.is_some();
     let name = match KEYS.iter().find(is_limit) {
-        Some(limit) => limit_label(language::current(), limit.path),
+        Some(limit) => in_lower_case(&limit_label(language::current(), limit.path)),
         None => words::name(typed.name()),
     };
     match own.rsplit_once(", ") {
         Some((_, unit)) if name != typed.name() => format!("{name}, {unit}"),
         _ => own,
     }
+}
+
+/// Label of a limit with a small first letter, like the other labels of axes. "Hertz pressure" begins with the name of a person.
+fn in_lower_case(label: &str) -> String {
+    if label.starts_with("Hertz") {
+        return label.to_string();
+    }
+    let mut letters = label.chars();
+    let first = letters.next().into_iter().flat_map(char::to_lowercase);
+    first.chain(letters).collect()
 }
 
 impl Input {

@@ -106,6 +106,7 @@ fn plane(
         &y,
         &points,
         Some(place(best)),
+        None,
         language::current(),
     )
 }

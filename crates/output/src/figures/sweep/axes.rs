@@ -6,6 +6,7 @@ use super::{LETTERS, Quantity};
 use crate::plot::axes::{tick_text, ticks};
 use crate::plot::palette::{GRID, INK, QUIET};
 use crate::plot::sheet::{Canvas, Drawn, Frame, Lettering, Plane, stroke, trace, write};
+use crate::plot::text::text_width;
 use gaitcam::wording::Language;
 
 /// An axis: name, range of values, and positions and texts of the ticks.
@@ -66,7 +67,10 @@ pub(super) fn axes<'a>(
     let left = Lettering::new(e, INK)
         .anchored(HPos::Center, VPos::Center)
         .upwards();
-    write(canvas, y.label, [1.2 * e, middle[1]], left)?;
+    let widest = y.marks.iter().map(|m| text_width(&m.1));
+    let widest = widest.fold(0.0, f64::max);
+    let beside = (f.left - (widest + 1.8) * e).max(1.2 * e);
+    write(canvas, y.label, [beside, middle[1]], left)?;
     Ok(inner)
 }
 

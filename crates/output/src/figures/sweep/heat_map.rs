@@ -26,6 +26,16 @@ pub enum Best {
     Largest,
 }
 
+impl Best {
+    /// Colour of a value at the fraction `share` of the range of values. Good values have light colours.
+    fn colour(self, share: f64) -> RGBAColor {
+        shade(match self {
+            Best::Least => 1.0 - share,
+            Best::Largest => share,
+        })
+    }
+}
+
 /// Edges of the cells of the heat map along an axis. For a grid, they are midway between adjacent values; otherwise the cells have equal
 /// width.
 fn edges(values: &[f64]) -> Vec<f64> {
@@ -56,8 +66,8 @@ fn cell(edges: &[f64], v: f64) -> usize {
     edges[1..edges.len() - 1].partition_point(|e| *e <= v)
 }
 
-/// Heat map of `z` as a function of `x` and `y`. The colour of a cell shows the best value of `z` in it. Cells without a design remain
-/// empty.
+/// Heat map of `z` as a function of `x` and `y`. The colour of a cell shows the best value of `z` in it. Good values are light. Cells
+/// without a design remain empty.
 pub fn heat_map(title: &str, [x, y, z]: [&Quantity; 3], best: Best, language: Language) -> Picture {
     let ([x, y, z], _) = shown([x, y, z]);
     let (ex, ey) = (edges(&x.values), edges(&y.values));
@@ -87,15 +97,22 @@ pub fn heat_map(title: &str, [x, y, z]: [&Quantity; 3], best: Best, language: La
             let right = (ex[i + 1] + 0.001 * (rx[1] - rx[0])).min(rx[1]);
             let top = (ey[j + 1] + 0.001 * (ry[1] - ry[0])).min(ry[1]);
             let corners = [(ex[i], ey[j]), (right, ey[j]), (right, top), (ex[i], top)];
-            fill(&inner, &corners, shade(share(c)))?;
+            fill(&inner, &corners, best.colour(share(c)))?;
         }
         f.border(canvas)?;
-        scale(canvas, f, [low, high], &z.label, language)
+        scale(canvas, f, [low, high], &z.label, best, language)
     })
 }
 
 /// Draws the colour scale at the right of the figure.
-fn scale(canvas: &Canvas, f: Frame, range: [f64; 2], label: &str, language: Language) -> Drawn {
+fn scale(
+    canvas: &Canvas,
+    f: Frame,
+    range: [f64; 2],
+    label: &str,
+    best: Best,
+    language: Language,
+) -> Drawn {
     let e = LETTERS;
     let (left, width) = (f.right + 1.2 * e, 1.3 * e);
     let steps = 64;
@@ -105,7 +122,7 @@ fn scale(canvas: &Canvas, f: Frame, range: [f64; 2], label: &str, language: Lang
             (units(left), units(at(i + 1))),
             (units(left + width), units(at(i)) + 1),
         ];
-        let colour = shade(i as f64 / (steps - 1) as f64).filled();
+        let colour = best.colour(i as f64 / (steps - 1) as f64).filled();
         canvas.draw(&Rectangle::new(corners, colour))?;
     }
     let marks = ticks(range[0], range[1], 5.0);
