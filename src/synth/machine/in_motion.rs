@@ -53,7 +53,7 @@ const INERTIA_ROOMS: [f64; 4] = [0.0, 0.01, 0.1, 0.5];
 /// Number of iterations without improvement after which the number of spans is increased.
 const STALLED: usize = 3;
 
-/// One iterate: problem, law with its cam, and the machine motion that results from this law.
+/// Problem, law with its cam, and the machine motion that results from this law.
 struct Iterate {
     problem: Problem,
     attempt: Attempt,
@@ -61,8 +61,7 @@ struct Iterate {
 }
 
 impl Iterate {
-    /// Replaces the problem of the iterate by the problem for the machine motion in `state`, and checks the cam of the iterate for this
-    /// problem.
+    /// Replaces the problem by the one for the machine motion in `state`, and checks the cam for it.
     ///
     /// # Errors
     ///

@@ -51,8 +51,8 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
     let line = x.values.iter().copied().zip(y.values.iter().copied());
     let line: Vec<(f64, f64)> = line.collect();
     let title = title(&input.scene.name, against);
-    let limit = problem.largest_error().map(|e| problem.drive.newtons(e));
-    let picture = sweep_plots::front(&title, &x, &y, &line, None, limit, language::current());
+    let allowed = problem.largest_error().map(|e| problem.drive.newtons(e));
+    let picture = sweep_plots::front(&title, &x, &y, &line, None, allowed, language::current());
     folder.write_picture("front", &picture)?;
     if args.json {
         let rows: Vec<_> = front
