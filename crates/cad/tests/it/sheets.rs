@@ -135,7 +135,7 @@ fn the_title_block_names_scene_revision_date_and_what_the_tolerance_does_to_the_
     // A programme without a force and a tolerance has a dash.
     let pdf = drawing::pdf(&designed("camdas_01_roller"), &TITLE, Language::Es).unwrap();
     let sheet = &sheets(&pdf)[0];
-    assert!(sheet.iter().any(|s| s.text == "sin fuerza dada"));
+    assert!(sheet.iter().any(|s| s.text == "sin fuerza objetivo"));
     assert!(!sheet.iter().any(|s| s.text.trim() == "\u{b1}"));
     // Spanish has a decimal comma.
     assert!(sheet.iter().any(|s| s.text == "5") && table(sheet).is_empty());
