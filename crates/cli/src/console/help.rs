@@ -106,17 +106,17 @@ fn argument(arg: Arg, verb: &str) -> Arg {
     if takes_value(&arg) && !default.is_empty() {
         help = format!("{help} [{} {}]", label("label-default"), default.join(", "));
     }
-    let heading = if arg.is_positional() {
-        "label-arguments"
-    } else {
-        "label-options"
+    let heading = match arg.get_help_heading() {
+        Some(heading) => format!("label-{}", heading.to_lowercase().replace(' ', "-")),
+        None if arg.is_positional() => "label-arguments".to_string(),
+        None => "label-options".to_string(),
     };
     let names: Option<Vec<String>> = arg
         .get_value_names()
         .map(|names| names.iter().map(|n| with_names(n)).collect());
     let arg = arg
         .help(help)
-        .help_heading(label(heading))
+        .help_heading(label(&heading))
         .hide_possible_values(true)
         .hide_default_value(true);
     match names {

@@ -41,6 +41,10 @@ const EXAMPLES: &str = "Examples:
   gaitcam synth my.toml --solid --units inch
   gaitcam synth my.toml --front force_error:prime_radius";
 
+/// Headings of options in the help text.
+const FILES: &str = "Files";
+const PRINTED: &str = "Printed output";
+
 /// Arguments of `gaitcam synth`.
 #[derive(Args, Debug, Default)]
 #[command(after_help = EXAMPLES)]
@@ -50,22 +54,22 @@ pub struct SynthArgs {
     #[command(flatten)]
     pub time: TimeLimit,
     /// Folder for the files (default out/NAME)
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", help_heading = FILES)]
     pub out: Option<PathBuf>,
     /// Print summary.json instead of the text summary; without --out no file is written
-    #[arg(long)]
+    #[arg(long, help_heading = PRINTED)]
     pub json: bool,
     /// Write no PNG pictures
-    #[arg(long)]
+    #[arg(long, help_heading = FILES)]
     pub no_png: bool,
     /// Print every step of a sequence of convex programs
-    #[arg(short, long)]
+    #[arg(short, long, help_heading = PRINTED)]
     pub verbose: bool,
     /// Explain the selection of each model and the rejection of others
-    #[arg(long)]
+    #[arg(long, help_heading = PRINTED)]
     pub explain: bool,
     /// Number of rows of law.csv and profile.csv (default 1440), or of points of the front (default 20)
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1_000_000), help_heading = FILES)]
     pub points: Option<u32>,
     /// Compute a Pareto front instead of one cam: force_error:prime_radius, or :jerk, :acceleration, :velocity, :stroke,
     /// :torque, :power, :hertz_pressure, :liftoff_speed

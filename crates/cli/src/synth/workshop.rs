@@ -16,6 +16,7 @@ use gaitcam_cad::ecam::Dialect;
 
 /// Arguments for CAD and manufacturing files.
 #[derive(Args, Debug, Default)]
+#[command(next_help_heading = "Manufacturing files")]
 pub struct WorkshopArgs {
     /// Also write manufacturing files: drawing (PDF), solid (STEP, STL, 3MF), workbook (XLSX)
     #[arg(long)]
@@ -39,7 +40,7 @@ pub struct WorkshopArgs {
     #[arg(long, value_name = "RADIUS")]
     pub wire: Option<String>,
     /// Unit of lengths in DXF, drawing and programs, and in messages, reports and pictures
-    #[arg(long, value_name = "UNIT", value_enum, default_value_t = Lengths::Mm)]
+    #[arg(long, value_name = "UNIT", value_enum, default_value_t = Lengths::Mm, help_heading = "Printed output")]
     pub units: Lengths,
 }
 
