@@ -27,6 +27,11 @@ PARTS = ("#verdict", "#figures", "#charts h2", "#limits")
 HEADER = b"iTXtDescription" + bytes(5)
 
 
+def shown(page):
+    """Text of the results on the page."""
+    return "\n".join(text for part in PARTS for text in page.locator(part).all_inner_texts())
+
+
 def taken(browser, address):
     """Screenshot of the page at an address, and the text of its results."""
     page = browser.new_page(viewport={"width": 1280, "height": 760}, color_scheme="light", reduced_motion="reduce")
@@ -34,9 +39,12 @@ def taken(browser, address):
     page.wait_for_selector('#design[aria-busy="false"]:not([data-revision="0"])', timeout=60_000)
     if page.is_visible("#welcome-close"):
         page.click("#welcome-close")
-    # The sensitivities of the limits are shown after the design.
-    page.wait_for_timeout(2000)
-    text = "\n".join(text for part in PARTS for text in page.locator(part).all_inner_texts())
+    # The sensitivities of the limits follow the design, each with an arrow from the old to the new value.
+    page.wait_for_function("document.querySelector('#limits').innerText.includes('\u2192')", timeout=60_000)
+    text, earlier = shown(page), None
+    while text != earlier:
+        page.wait_for_timeout(1000)
+        text, earlier = shown(page), text
     picture = page.screenshot()
     page.close()
     return picture, text
