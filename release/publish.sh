@@ -5,7 +5,7 @@
 #
 # - version and authors are the same in Cargo.toml, CITATION.cff, python/pyproject.toml and the names of the files;
 # - the version has a section in CHANGELOG.md;
-# - `cargo package --no-verify` packs each published crate;
+# - `cargo publish --dry-run --no-verify` accepts each published crate, in order;
 # - `twine check` accepts the wheels.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -16,8 +16,8 @@ python3 release/consistent.py "$files"
 
 order=$(python3 release/consistent.py --order)
 mapfile -t crates <<< "$order"
-echo "== cargo package: ${crates[*]}"
-cargo package --quiet --locked --no-verify --allow-dirty --target-dir target/publish "${crates[@]/#/-p}"
+echo "== cargo publish --dry-run: ${crates[*]}"
+cargo publish --dry-run --quiet --locked --no-verify --allow-dirty --target-dir target/publish "${crates[@]/#/-p}"
 ls -l target/publish/package/*.crate | awk '{ print $5, $9 }'
 
 wheels=("$files"/gaitcam-*.whl)
