@@ -18,7 +18,7 @@ order=$(python3 release/consistent.py --order)
 mapfile -t crates <<< "$order"
 echo "== cargo publish --dry-run: ${crates[*]}"
 cargo publish --dry-run --quiet --locked --no-verify --allow-dirty --target-dir target/publish "${crates[@]/#/-p}"
-ls -l target/publish/package/*.crate | awk '{ print $5, $9 }'
+find target/publish/package -name '*.crate' -path '*tmp-crate*' -exec ls -l {} + | awk '{ print $5, $9 }'
 
 wheels=("$files"/gaitcam-*.whl)
 if [ -e "${wheels[0]}" ]; then
